@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Fails when a scene or rig of the repository breaks docs/schema/keiko.schema.json, when an example of
 its pages does, when the schema lets a misspelt key pass, or when docs/scene-format.md leaves out a key.
+The same for examples of accepted findings, docs/schema/keiko-accepted.schema.json and docs/file-formats.md.
 
 usage: tests/check_schema.py; needs python3-jsonschema, and is skipped (exit code 77) without it
 """
@@ -12,7 +13,11 @@ import tomllib
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-FORMATS = ("keiko-scene/1", "keiko-rig/1")
+# Of each schema: its formats, and the page that describes its keys.
+SCHEMAS = {
+    "keiko.schema.json": (("keiko-scene/1", "keiko-rig/1"), "scene-format.md"),
+    "keiko-accepted.schema.json": (("keiko-accepted/1",), "file-formats.md"),
+}
 SKIPPED = 77
 
 
@@ -25,8 +30,10 @@ def documents():
             yield str(path.relative_to(ROOT)), tomllib.loads(path.read_text(encoding="utf-8"))
     for page in pages:
         text = page.read_text(encoding="utf-8")
-        for number, example in enumerate(re.findall(r"^```toml\n(.*?)^```", text, re.MULTILINE | re.DOTALL)):
-            yield f"example {number} of {page.relative_to(ROOT)}", tomllib.loads(example)
+        for language, parse in (("toml", tomllib.loads), ("json", json.loads)):
+            examples = re.findall(rf"^```{language}\n(.*?)^```", text, re.MULTILINE | re.DOTALL)
+            for number, example in enumerate(examples):
+                yield f"{language} example {number} of {page.relative_to(ROOT)}", parse(example)
 
 
 def keys(schema):
@@ -37,9 +44,9 @@ def keys(schema):
         yield from keys(child)
 
 
-def undocumented(schema):
+def undocumented(schema, page_name):
     """Keys that no code on the page names."""
-    page = (ROOT / "docs" / "scene-format.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / page_name).read_text(encoding="utf-8")
     code = " ".join(re.findall(r"```.*?```|`[^`\n]*`", page, re.DOTALL))
     return sorted(set(keys(schema)) - set(re.findall(r"\w+", code)))
 
@@ -60,24 +67,34 @@ def misspelt(document):
         yield changed
 
 
+def faults_of(schema_name, jsonschema):
+    """Faults of the documents of a schema, and the number of these documents."""
+    formats, page = SCHEMAS[schema_name]
+    schema = json.loads((ROOT / "docs" / "schema" / schema_name).read_text(encoding="utf-8"))
+    jsonschema.Draft202012Validator.check_schema(schema)
+    validator = jsonschema.Draft202012Validator(schema)
+    faults, checked = [f"docs/{page}: no {key}" for key in undocumented(schema, page)], 0
+    for name, document in documents():
+        if not isinstance(document, dict) or document.get("format") not in formats:
+            continue
+        checked += 1
+        faults += [f"{name}: {error.json_path}: {error.message}" for error in validator.iter_errors(document)]
+        faults += [f"{name}: a misspelt key passes" for wrong in misspelt(document) if validator.is_valid(wrong)]
+    return faults or ([] if checked else [f"{schema_name}: nothing to check"]), checked
+
+
 def main():
     try:
         import jsonschema
     except ImportError:
         print("python3-jsonschema is not installed")
         return SKIPPED
-    schema = json.loads((ROOT / "docs" / "schema" / "keiko.schema.json").read_text(encoding="utf-8"))
-    jsonschema.Draft202012Validator.check_schema(schema)
-    validator = jsonschema.Draft202012Validator(schema)
-    faults, checked = [f"docs/scene-format.md: no {key}" for key in undocumented(schema)], 0
-    for name, document in documents():
-        if document.get("format") not in FORMATS:
-            continue
-        checked += 1
-        faults += [f"{name}: {error.json_path}: {error.message}" for error in validator.iter_errors(document)]
-        faults += [f"{name}: a misspelt key passes" for wrong in misspelt(document) if validator.is_valid(wrong)]
-    print("\n".join(faults) or f"{checked} scenes and rigs keep to the schema")
-    return 1 if faults or checked == 0 else 0
+    faults, total = [], 0
+    for schema_name in SCHEMAS:
+        found, checked = faults_of(schema_name, jsonschema)
+        faults, total = faults + found, total + checked
+    print("\n".join(faults) or f"{total} documents keep to their schemas")
+    return 1 if faults else 0
 
 
 if __name__ == "__main__":

@@ -24,7 +24,7 @@ class Check(KeikoTest):
         code, text = self.check(GAP)
         self.assertEqual(code, 1)
         self.assertRegex(text, r"\Afail: stretches of seams 1 fail, 0 undecided, 0 pass, 0 creases; 800.2 of 1200.7 mm of borders meet no other; by class-a-outer\n")
-        self.assertRegex(text, r"\nfail  G-SU-LG  face 1 \(left\) of seam-g0-gap [\d.]+ \| face 2 \(right\) of seam-g0-gap [\d.]+: the gap of 0.05 mm is over the "
+        self.assertRegex(text, r"\nfail  G-SU-LG  #1  face 1 \(left\) of seam-g0-gap [\d.]+ \| face 2 \(right\) of seam-g0-gap [\d.]+: the gap of 0.05 mm is over the "
                                r"limit of 0.01 mm, at [-\d.]+, [-\d.]+, [-\d.]+\n\Z")
 
     def test_faces_too_far_apart_for_a_seam_pass_with_a_warning(self):

@@ -76,8 +76,10 @@ OBJECTS = {
     "message": ({"text": is_words}, {"text"}),
     "result": ({"ruleId": is_text, "ruleIndex": is_index, "level": LEVELS - {"none"}, "message": "message",
                 "locations": ["location"], "relatedLocations": ["related", "unlike"], "partialFingerprints": "fingerprints",
-                "properties": is_bag}, {"ruleId", "level", "message", "locations", "partialFingerprints"}),
+                "suppressions": ["suppression"], "properties": is_bag}, {"ruleId", "level", "message", "locations", "partialFingerprints"}),
     "fingerprints": ({"primaryLocationLineHash": is_fingerprint}, {"primaryLocationLineHash"}),
+    "suppression": ({"kind": {"inSource", "external"}, "status": {"accepted", "underReview", "rejected"},
+                     "justification": is_text}, {"kind"}),
     "location": ({"physicalLocation": "physical", "logicalLocations": ["logical", "unlike"]}, {"physicalLocation"}),
     "related": ({"id": is_index, "physicalLocation": "physical", "message": "message"}, {"id", "physicalLocation", "message"}),
     "physical": ({"artifactLocation": "place", "region": "region"}, {"artifactLocation", "region"}),
@@ -122,6 +124,8 @@ def limit_faults(run):
     for i, result in enumerate(run["results"]):
         if not 1 <= len(result["locations"]) <= MOST_LOCATIONS:
             faults.append(f"result {i}: has {len(result['locations'])} locations")
+    if len({"suppressions" in result for result in run["results"]}) > 1:  # 3.27.23
+        faults.append("some results have suppressions, others not")
     hashes = [result["partialFingerprints"]["primaryLocationLineHash"] for result in run["results"]]
     return faults + ["two results have one fingerprint"] * (len(set(hashes)) < len(hashes))
 

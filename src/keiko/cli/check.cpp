@@ -20,6 +20,7 @@ struct CheckArguments {
     CombArguments combs;
     ProfileArguments profiles;
     SymmetryOption symmetry;
+    AcceptedOption accepted;
 };
 
 void withdraw_earlier(const CheckArguments& arguments) {
@@ -31,8 +32,9 @@ void withdraw_earlier(const CheckArguments& arguments) {
     places.files.insert(places.files.end(), combs.begin(), combs.end());
     const auto& profiles = arguments.profiles.files();
     places.files.insert(places.files.end(), profiles.begin(), profiles.end());
-    require_distinct(places.files, arguments.models.inputs);
     std::vector<std::filesystem::path> inputs = arguments.models.inputs;
+    if (!arguments.accepted.file().empty()) inputs.push_back(arguments.accepted.file());
+    require_distinct(places.files, inputs);
     inputs.emplace_back(arguments.preset);
     withdraw_results(places, inputs);
 }
@@ -43,6 +45,7 @@ int check(CheckArguments arguments, const Job& job) {
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
     arguments.symmetry.look_in(options.preset);
+    options.acceptances = arguments.accepted.list();
     options.load = load_options(arguments.models);
     options.combs = arguments.combs.options(options.join);
     options.profiles = !arguments.profiles.files().empty();
@@ -52,6 +55,7 @@ int check(CheckArguments arguments, const Job& job) {
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     if (const std::string warning = nothing_judged(inspection); !warning.empty())
         log_warning(warning);
+    warn_of_acceptances(inspection);
     FileTransaction outputs;
     arguments.files.add_to(outputs, inspection);
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
@@ -81,11 +85,12 @@ void add_check(CLI::App& app, Session& session) {
     arguments->files.add_to(command);
     arguments->combs.add_to(command);
     arguments->symmetry.add_to(command, false);
+    arguments->accepted.add_to(command);
     arguments->combs.add_files(command);
     arguments->profiles.add_to(command);
     add_load_options(command, arguments->models);
     command.footer(
-        "Exit codes: 0 all pass, 1 findings or lost faces, 2 error.\n"
+        "Exit codes: 0 all pass, 1 lost faces or findings that are not accepted, 2 error.\n"
         "Example: keiko check fender.step door.step --preset vda-4955 --sarif findings.sarif");
     session.add_command(command, [arguments](const Job& job) { return check(*arguments, job); });
 }

@@ -22,6 +22,7 @@ struct InspectArguments {
     std::filesystem::path hits;
     CombArguments combs;
     SymmetryOption symmetry;
+    AcceptedOption accepted;
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
@@ -33,6 +34,8 @@ void print_summary(const Report& report, const std::filesystem::path& folder) {
         line << "lines " << crossings.fail << " fail, " << crossings.undecided << " undecided, "
              << crossings.pass << " pass; ";
     }
+    if (const std::size_t accepted = whole_inspection(report).accepted.size(); accepted > 0)
+        line << counted(accepted, "finding") << " accepted; ";
     line << "see " << (folder / "report.html").string();
     print(lines.text());
 }
@@ -45,6 +48,10 @@ void withdraw_earlier(const InspectArguments& arguments) {
     places.files.push_back(arguments.hits);
     std::vector<std::filesystem::path> inputs = arguments.scene.inputs;
     inputs.insert(inputs.end(), arguments.options.views.begin(), arguments.options.views.end());
+    if (!arguments.accepted.file().empty()) {
+        inputs.push_back(arguments.accepted.file());
+        require_distinct(arguments.files.paths(), {&arguments.accepted.file(), 1});
+    }
     inputs.emplace_back(arguments.rig);
     inputs.emplace_back(arguments.preset);
     withdraw_results(places, inputs);
@@ -56,6 +63,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
     options.symmetry = arguments.symmetry.choice();
+    options.acceptances = arguments.accepted.list();
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;
         read_rig_aloud(*options.rig); // a misspelt key is reported before the long work
@@ -71,9 +79,10 @@ int inspect(InspectArguments arguments, const Job& job) {
     outputs.add_folder(arguments.output, with_manifest(result_files(arguments.output, result)));
     if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
     const Report& report = result.report;
-    arguments.files.add_to(
-        outputs, report.lines ? with_lines(report.inspection, *report.lines) : report.inspection);
+    const Inspection whole = whole_inspection(report);
+    arguments.files.add_to(outputs, whole);
     outputs.write();
+    warn_of_acceptances(whole);
     if (const std::string warning = nothing_judged(result.report.inspection); !warning.empty())
         log_warning(warning);
     if (result.combs) log_warnings(result.combs->remarks);
@@ -112,6 +121,7 @@ void add_inspect(CLI::App& app, Session& session) {
     arguments->files.add_to(command);
     arguments->combs.add_to(command);
     arguments->symmetry.add_to(command, true);
+    arguments->accepted.add_to(command);
     command.add_option("--register", arguments->hits,
                        "file (.json) for what the pictures mirror, for keiko place --from");
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");

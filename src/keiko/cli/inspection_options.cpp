@@ -2,6 +2,7 @@
 
 #include "keiko/api/model.h"
 #include "keiko/base/error.h"
+#include "keiko/base/log.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/session.h"
 
@@ -175,6 +176,37 @@ void InspectionFiles::add_to(FileTransaction& batch, const Inspection& inspectio
                 batch.add(path, checks_csv(inspection));
                 break;
         }
+}
+
+void DateOption::add_to(CLI::App& command) {
+    command
+        .add_option("--today", date_, "day by which acceptances end, as 2026-11-27 [today, UTC]")
+        ->check(not_empty());
+}
+
+std::string DateOption::date() const {
+    if (date_.empty()) return date_today();
+    if (!is_date(date_)) throw Error("", "--today", "'" + date_ + "' is no date as 2026-11-27");
+    return date_;
+}
+
+void AcceptedOption::add_to(CLI::App& command) {
+    command
+        .add_option("--accepted", file_,
+                    "file of findings without a part in the verdict (keiko-accepted/1), of keiko "
+                    "accept")
+        ->check(not_empty());
+    today_.add_to(command);
+}
+
+AcceptanceList AcceptedOption::list() const {
+    const std::string today = today_.date();
+    return file_.empty() ? AcceptanceList{{}, today} : read_acceptances(file_, today);
+}
+
+void warn_of_acceptances(const Inspection& inspection) {
+    for (const AcceptanceRemark& remark : inspection.acceptance_remarks)
+        log_warning(text_of(remark));
 }
 
 void SymmetryOption::add_to_placement(CLI::App& command) {

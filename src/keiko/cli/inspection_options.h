@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/api/accept.h"
 #include "keiko/api/check.h"
 #include "keiko/api/place.h"
 #include "keiko/base/output_folder.h"
@@ -82,6 +83,36 @@ private:
 
     std::vector<std::filesystem::path> json_, junit_, sarif_, csv_, outputs_;
 };
+
+/// The day on which acceptances are applied or given.
+class DateOption {
+public:
+    /// Adds --today to a command.
+    void add_to(CLI::App& command);
+    /// "2026-11-27". Throws Error for a text that is no date.
+    std::string date() const;
+
+private:
+    std::string date_;
+};
+
+/// The file of findings that have no part in the verdict.
+class AcceptedOption {
+public:
+    /// Adds --accepted and --today to a command.
+    void add_to(CLI::App& command);
+    /// The file, or an empty path.
+    const std::filesystem::path& file() const { return file_; }
+    /// Its acceptances; none without a file. Throws Error.
+    AcceptanceList list() const;
+
+private:
+    std::filesystem::path file_;
+    DateOption today_;
+};
+
+/// Warns of acceptances that cover nothing.
+void warn_of_acceptances(const Inspection& inspection);
 
 /// The plane about which a body, and the lamps over it, are symmetric.
 class SymmetryOption {

@@ -16,6 +16,7 @@ int main(int argc, char** argv) try {
     app.footer(
         "Exit codes: 0 pass, 1 findings, 2 error, 130 interrupted.\n"
         "Example: keiko inspect fender.step -o out");
+    cli::add_accept(app, session);
     cli::add_check(app, session);
     cli::add_compare(app, session);
     cli::add_illuminance(app, session);

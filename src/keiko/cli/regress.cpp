@@ -7,9 +7,6 @@
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/session.h"
 
-#include <pwd.h>
-#include <unistd.h>
-
 #include <cstdio>
 #include <memory>
 
@@ -34,11 +31,6 @@ Shard shard_of(const std::string& text) {
         shard.number > shard.count || shard.count > most)
         throw Error("", "--shard", "'" + text + "' is not K/N with 1 <= K <= N");
     return shard;
-}
-
-std::string login_name() {
-    const passwd* user = getpwuid(geteuid());
-    return user ? user->pw_name : std::to_string(geteuid());
 }
 
 int exit_code_of(FixtureState state) {

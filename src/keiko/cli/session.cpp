@@ -9,6 +9,7 @@
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
+#include <pwd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -154,6 +155,11 @@ CLI::Validator number_between(double low, double high) {
         return "'" + text + "' is not a number from " + allowed;
     };
     return CLI::Validator(reason, allowed);
+}
+
+std::string login_name() {
+    const passwd* user = getpwuid(geteuid());
+    return user ? user->pw_name : std::to_string(geteuid());
 }
 
 Interrupt::Interrupt() {

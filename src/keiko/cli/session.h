@@ -51,6 +51,9 @@ CLI::Validator number_between(double low, double high);
 /// Rejects an empty text, the value of an option that is not given.
 CLI::Validator not_empty();
 
+/// Name of the user who runs the program, or his number.
+std::string login_name();
+
 /// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request; a second one ends the process at once.
 /// Construct it before any other thread exists: the signals are blocked for all of them.
 class Interrupt {
@@ -90,6 +93,8 @@ private:
 
 // Each function adds one command of `keiko` to the app. Its action keeps the options.
 
+/// Adds `keiko accept`.
+void add_accept(CLI::App& app, Session& session);
 /// Adds `keiko check`.
 void add_check(CLI::App& app, Session& session);
 /// Adds `keiko compare`.

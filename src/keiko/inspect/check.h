@@ -28,8 +28,15 @@ struct Criterion {
 /// The criterion of a code; throws std::out_of_range for an unknown code.
 const Criterion& criterion_of(std::string_view code);
 
+/// Who accepted a finding, why, and until when. Dates are "2026-11-27".
+struct AcceptanceNote {
+    std::string who, why; ///< a person and a reason
+    std::string when;     ///< date of the acceptance
+    std::string until;    ///< last day on which it holds; empty: no end
+};
+
 /// One criterion held against one seam or face, or against the lines that cross a seam. A judged
-/// check that does not pass is a finding, unless its severity is `look`.
+/// check that does not pass is a finding, unless its severity is `look` or it is accepted.
 struct Check {
     /// `judged` counts in the verdict; `look` does not.
     enum class Severity {
@@ -44,15 +51,20 @@ struct Check {
     std::string formula;  ///< of a curvature mismatch, or empty
     MeasuredValue worst;  ///< value, bound, limit, place, verdict; empty if not judged
     bool judged = true;   ///< if false, `message` gives the reason
-    Severity severity = Severity::judged; ///< whether it has a part in the verdict
-    std::uint32_t seam = no_index;        ///< into Inspection::seams; no_index: of a face
-    std::uint32_t face = no_index;        ///< into Inspection::faces; no_index: of a seam
-    std::string view;                     ///< of lines: the view that shows them; else empty
-    std::string faces;                    ///< "face 12 (fender-outer) | face 13"
-    std::string message;                  ///< one sentence
+    Severity severity = Severity::judged;   ///< whether it has a part in the verdict
+    std::uint32_t seam = no_index;          ///< into Inspection::seams; no_index: of a face
+    std::uint32_t face = no_index;          ///< into Inspection::faces; no_index: of a seam
+    std::string view;                       ///< of lines: the view that shows them; else empty
+    std::string faces;                      ///< "face 12 (fender-outer) | face 13"
+    std::string message;                    ///< one sentence
+    std::optional<AcceptanceNote> accepted; ///< of what would be a finding, else nothing
 
-    /// True if it is judged and does not pass.
-    bool is_finding() const { return severity == Severity::judged && is_beyond_limit(); }
+    /// True if it is judged, does not pass and is not accepted.
+    bool is_finding() const {
+        return severity == Severity::judged && is_beyond_limit() && !accepted;
+    }
+    /// True if it is judged, does not pass and is accepted.
+    bool is_accepted() const { return accepted.has_value(); }
     /// True if it is not judged, and beyond its limit.
     bool is_worth_a_look() const { return severity == Severity::look && is_beyond_limit(); }
 
@@ -98,7 +110,7 @@ Check check_of_structure(std::string_view code, const std::optional<MeasuredValu
 std::vector<Check> checks_of(const MeasuredFace& face, const CriteriaPreset& preset,
                              std::uint32_t index);
 
-/// "fail", "undecided" or "pass"; "look" for a check that deserves one.
+/// "fail", "undecided" or "pass"; "look" for a check that deserves one, "accepted" for one that is.
 std::string_view outcome_of(const Check& check);
 
 /// Every criterion of the preset held against one measured seam (number `index`), in the order gap,

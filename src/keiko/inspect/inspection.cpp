@@ -13,12 +13,17 @@
 namespace keiko {
 namespace {
 
-void count(const MeasuredSeam& seam, SeamCounts& counts) {
+/// Counts a seam by the verdict that it has without what is accepted, `left`.
+void count(const MeasuredSeam& seam, Verdict left, SeamCounts& counts) {
     if (seam.scrap) {
         ++counts.scraps;
         return;
     }
-    switch (seam.verdict) {
+    if (left < seam.verdict && left == Verdict::pass) {
+        ++counts.accepted;
+        return;
+    }
+    switch (left) {
         case Verdict::fail:
             ++counts.fail;
             break;
@@ -134,6 +139,35 @@ void add_singular_places(const ModelBorders& borders, Inspection& result, const 
     });
 }
 
+/// Counts seams and faces anew by their checks. Returns the worst verdict that they and the
+/// findings leave.
+Verdict recount(Inspection& inspection) {
+    std::vector<WorstChecks> seams(inspection.seams.size()), faces(inspection.faces.size());
+    for (const Check& check : inspection.checks) {
+        if (!check.is_finding() && !check.is_accepted()) continue;
+        if (check.seam != no_index) seams[check.seam].add(check);
+        if (check.face != no_index) faces[check.face].add(check);
+    }
+    Verdict worst = Verdict::pass;
+    for (const Check& finding : inspection.findings) worst = std::max(worst, finding.worst.verdict);
+    inspection.counts = {}, inspection.face_counts = {};
+    for (std::uint32_t i = 0; i < seams.size(); ++i) {
+        const MeasuredSeam& seam = inspection.seams[i];
+        const Verdict left = seams[i].left_of(seam.verdict);
+        count(seam, left, inspection.counts);
+        if (left < seam.verdict && left == Verdict::pass) inspection.accepted_seams.push_back(i);
+        worst = std::max(worst, left);
+    }
+    for (std::uint32_t i = 0; i < faces.size(); ++i) {
+        const Verdict measured = inspection.faces[i].verdict, left = faces[i].left_of(measured);
+        const bool accepted = left < measured && left == Verdict::pass;
+        ++(accepted ? inspection.face_counts.accepted : count_of(left, inspection.face_counts));
+        if (accepted) inspection.accepted_faces.push_back(i);
+        worst = std::max(worst, left);
+    }
+    return worst;
+}
+
 } // namespace
 
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
@@ -152,7 +186,7 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, doub
     add_flaws(model, result, job);
     add_singular_places(borders, result, job);
     for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
-        count(result.seams[i], result.counts);
+        count(result.seams[i], result.seams[i].verdict, result.counts);
         take(result.seams[i].verdict, checks_of(result.seams[i], preset, join, i), result);
     }
     std::vector<Check> at_borders =
@@ -191,11 +225,35 @@ void add_check(Inspection& inspection, Check check) {
     inspection.checks.push_back(std::move(check));
 }
 
+void accept_findings(Inspection& inspection, const AcceptanceList& list) {
+    AcceptanceList of_geometry{{}, list.today};
+    for (const Acceptance& entry : list.entries)
+        if (entry.view.empty()) of_geometry.entries.push_back(entry);
+    inspection.acceptance_remarks = accept(inspection.checks, of_geometry, inspection.seams);
+    inspection.accepted = ranked(inspection, &Check::is_accepted);
+    if (inspection.accepted.empty()) return;
+    inspection.findings = ranked(inspection, &Check::is_finding);
+    inspection.verdict = recount(inspection);
+    if (!inspection.facts.lost_faces.empty())
+        inspection.verdict = std::max(inspection.verdict, Verdict::undecided);
+}
+
+bool is_accepted_seam(const Inspection& inspection, std::uint32_t seam) {
+    const std::vector<std::uint32_t>& accepted = inspection.accepted_seams;
+    return std::binary_search(accepted.begin(), accepted.end(), seam);
+}
+
+bool is_accepted_face(const Inspection& inspection, std::uint32_t face) {
+    const std::vector<std::uint32_t>& accepted = inspection.accepted_faces;
+    return std::binary_search(accepted.begin(), accepted.end(), face);
+}
+
 std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count) {
     std::vector<std::uint32_t> order;
     for (std::uint32_t i = 0; i < inspection.seams.size(); ++i) {
         const MeasuredSeam& seam = inspection.seams[i];
-        if (!seam.scrap && !seam.is_passing_crease()) order.push_back(i);
+        if (!seam.scrap && !seam.is_passing_crease() && !is_accepted_seam(inspection, i))
+            order.push_back(i);
     }
     std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
         const MeasuredSeam &x = inspection.seams[a], &y = inspection.seams[b];

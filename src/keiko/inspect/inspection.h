@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/inspect/acceptance.h"
 #include "keiko/inspect/check.h"
 #include "keiko/inspect/model_facts.h"
 #include "keiko/inspect/seams/seam_measure.h"
@@ -10,17 +11,19 @@
 namespace KEIKO_API keiko {
 
 /// Stretches of seams by verdict. A passing crease counts as a crease only, a passing run-out as a
-/// run-out, and a scrap as a scrap.
+/// run-out, and a scrap as a scrap. Findings that are accepted do not count; a stretch that would
+/// pass without them counts as accepted.
 struct SeamCounts {
     /// Number of each.
-    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, run_outs = 0, scraps = 0;
+    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, run_outs = 0, scraps = 0,
+                accepted = 0;
 
     bool operator==(const SeamCounts&) const = default;
 };
 
-/// Faces by their own verdict.
+/// Faces by their own verdict; accepted as in SeamCounts.
 struct FaceCounts {
-    std::size_t fail = 0, undecided = 0, pass = 0; ///< number of each
+    std::size_t fail = 0, undecided = 0, pass = 0, accepted = 0; ///< number of each
 
     bool operator==(const FaceCounts&) const = default;
 };
@@ -36,10 +39,14 @@ struct Inspection {
     std::vector<Check> checks;       ///< seam by seam, then face by face: all checks of the preset
     std::vector<Check> findings; ///< those that do not pass: failures before undecided, worst first
     std::vector<Check> looks;    ///< checks that deserve a look, in the same order
-    SeamCounts counts;           ///< of `seams`
-    FaceCounts face_counts;      ///< of `faces`
-    /// The worst verdict of all seams and faces; never pass if faces were lost, since their seams
-    /// are not judged.
+    std::vector<Check> accepted; ///< findings that are accepted, in the same order
+    std::vector<AcceptanceRemark> acceptance_remarks; ///< on acceptances that cover nothing
+    /// Stretches, and faces, that pass without what is accepted; rising indices.
+    std::vector<std::uint32_t> accepted_seams, accepted_faces;
+    SeamCounts counts;      ///< of `seams`
+    FaceCounts face_counts; ///< of `faces`
+    /// The worst verdict of all seams and faces, without what is accepted; never pass if faces were
+    /// lost, since their seams are not judged.
     Verdict verdict = Verdict::pass;
 };
 
@@ -51,7 +58,17 @@ Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {},
 /// Adds a check of a face that was made apart from the inspection, as if it had been made with it.
 void add_check(Inspection& inspection, Check check);
 
-/// Indices of the `count` worst seams, by falling severity; neither scraps nor creases that pass.
+/// Takes the findings that the list covers out of the findings, the counts and the verdict. Entries
+/// of lines are left to those who judge lines.
+void accept_findings(Inspection& inspection, const AcceptanceList& list);
+
+/// True if a stretch of a seam fails, and passes without what is accepted.
+bool is_accepted_seam(const Inspection& inspection, std::uint32_t seam);
+/// True if a face fails, and passes without what is accepted.
+bool is_accepted_face(const Inspection& inspection, std::uint32_t face);
+
+/// Indices of the `count` worst seams, by falling severity; neither scraps nor creases that pass,
+/// nor accepted ones.
 std::vector<std::uint32_t> worst_seams(const Inspection& inspection, std::size_t count);
 
 /// Place of the worst value of the judged quantity that exceeds its limit most; world, mm.

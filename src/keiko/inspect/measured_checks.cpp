@@ -152,6 +152,7 @@ Check check_of_singular(const SingularPlace& place, const CriteriaPreset& preset
 } // namespace
 
 std::string_view outcome_of(const Check& check) {
+    if (check.is_accepted()) return "accepted";
     return check.is_worth_a_look() ? "look" : name_of(check.worst.verdict);
 }
 

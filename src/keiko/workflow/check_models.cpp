@@ -39,6 +39,7 @@ CheckResult check_models(std::span<const std::filesystem::path> inputs, const Ch
     const SurfaceModel model = read_body(spec, options.load, job).model;
     CheckResult result{inspect(model, options.preset, options.join, job)};
     check_symmetry(model, result.inspection, job);
+    accept_findings(result.inspection, options.acceptances);
     if (has_curves(options.combs)) result.combs = combs_of(model, options.combs, job);
     if (options.profiles) {
         std::vector<std::uint32_t> all(result.inspection.seams.size());

@@ -42,8 +42,9 @@ struct CheckOptions {
     LoadOptions load;                                   ///< of the model files
     CriteriaPreset preset = standard_presets().front(); ///< limits of the criteria
     double join = 0.5;                                  ///< mm
-    CombOptions combs{};   ///< sections and iso-curves; none unless requested
-    bool profiles = false; ///< of every stretch of a seam
+    CombOptions combs{};          ///< sections and iso-curves; none unless requested
+    bool profiles = false;        ///< of every stretch of a seam
+    AcceptanceList acceptances{}; ///< findings that have no part in the verdict
 };
 
 /// Result of a check.

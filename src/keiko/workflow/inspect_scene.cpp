@@ -52,6 +52,7 @@ void add_lines(Report& report, const Scene& scene, const InspectResult& result,
     asked.preset = options.preset;
     asked.join = options.join;
     report.lines = lines_under(scene, result.rig, views, asked, job);
+    report.lines->acceptances = options.acceptances;
     for (std::size_t i = 0; i < views.size(); ++i)
         report.line_pictures.push_back(
             picture_of_lines(views[i].name, with_lines(result.films[i].second, *report.lines, i)));
@@ -101,6 +102,7 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
     result.report.inspection = inspect(scene.model, options.preset, options.join, job);
     check_symmetry(scene.model, result.report.inspection, job);
+    accept_findings(result.report.inspection, options.acceptances);
     result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
     result.report.profiles = profiles_of(scene.model, result.report.inspection,
                                          profiled_seams(result.report.inspection), job);

@@ -24,9 +24,10 @@ struct InspectOptions {
     PlacementOptions placement;                         ///< except its `mirror`
     /// Symmetry of placed lamps, used if views and body are symmetric.
     SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
-    PictureOptions picture;     ///< of the pictures; with AOVs each is written as an EXR, too
-    bool register_hits = false; ///< of the views, for InspectResult::hits
-    CombOptions combs{};        ///< sections and iso-curves; none unless requested
+    PictureOptions picture;       ///< of the pictures; with AOVs each is written as an EXR, too
+    bool register_hits = false;   ///< of the views, for InspectResult::hits
+    CombOptions combs{};          ///< sections and iso-curves; none unless requested
+    AcceptanceList acceptances{}; ///< findings that have no part in the verdict
 };
 
 /// Results of an inspection, for writing or display.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <string>
 #include <string_view>
@@ -56,6 +57,24 @@ void add_view(const ViewLines& view, std::vector<Check>& checks) {
         }
 }
 
+/// Checks of all views, and acceptances of lines that cover none.
+struct JudgedLines {
+    std::vector<Check> checks;
+    std::vector<AcceptanceRemark> remarks;
+};
+
+JudgedLines judged_lines(const LineList& list) {
+    JudgedLines judged;
+    AcceptanceList of_lines{{}, list.acceptances.today};
+    for (const ViewLines& view : list.views) {
+        add_view(view, judged.checks);
+        for (const Acceptance& entry : list.acceptances.entries)
+            if (!entry.view.empty() && entry.view == view.view) of_lines.entries.push_back(entry);
+    }
+    judged.remarks = accept(judged.checks, of_lines, {});
+    return judged;
+}
+
 } // namespace
 
 CrossingCounts count_crossings(const LineList& list) {
@@ -74,8 +93,14 @@ CrossingCounts count_crossings(const LineList& list) {
 
 Verdict verdict_of(const LineList& list) {
     const CrossingCounts counts = count_crossings(list);
-    if (counts.fail > 0) return Verdict::fail;
-    return counts.undecided > 0 ? Verdict::undecided : Verdict::pass;
+    const Verdict measured = counts.fail > 0        ? Verdict::fail
+                             : counts.undecided > 0 ? Verdict::undecided
+                                                    : Verdict::pass;
+    if (measured == Verdict::pass || list.acceptances.entries.empty()) return measured;
+    WorstChecks worst;
+    for (const Check& check : line_checks(list))
+        if (check.is_finding() || check.is_accepted()) worst.add(check);
+    return worst.left_of(measured);
 }
 
 std::vector<CrossingPlace> ranked_crossings(const LineList& list) {
@@ -93,15 +118,17 @@ std::vector<CrossingPlace> ranked_crossings(const LineList& list) {
 }
 
 std::vector<Check> line_checks(const LineList& list) {
-    std::vector<Check> checks;
-    for (const ViewLines& view : list.views) add_view(view, checks);
-    return checks;
+    return judged_lines(list).checks;
 }
 
 Inspection with_lines(Inspection inspection, const LineList& list) {
-    for (Check& check : line_checks(list)) {
-        inspection.verdict = std::max(inspection.verdict, check.worst.verdict);
+    inspection.verdict = std::max(inspection.verdict, verdict_of(list));
+    JudgedLines lines = judged_lines(list);
+    std::move(lines.remarks.begin(), lines.remarks.end(),
+              std::back_inserter(inspection.acceptance_remarks));
+    for (Check& check : lines.checks) {
         if (check.is_finding()) inspection.findings.push_back(check);
+        if (check.is_accepted()) inspection.accepted.push_back(check);
         inspection.checks.push_back(std::move(check));
     }
     return inspection;

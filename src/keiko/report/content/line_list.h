@@ -24,6 +24,7 @@ struct LineList {
     CriteriaPreset preset;                ///< that crossings were judged by
     double join = 0.5;                    ///< mm
     std::vector<ViewLines> views;         ///< one a view
+    AcceptanceList acceptances{}; ///< of findings; only those of lines in one of the views apply
 };
 
 /// Crossings of all views by verdict.
@@ -34,7 +35,7 @@ struct CrossingCounts {
 /// Counts the crossings of all views.
 CrossingCounts count_crossings(const LineList& list);
 
-/// The worst of all crossings.
+/// The worst of all crossings, without what is accepted.
 Verdict verdict_of(const LineList& list);
 
 /// One of a list's crossings.
@@ -52,10 +53,11 @@ struct CrossingPlace {
 std::vector<CrossingPlace> ranked_crossings(const LineList& list);
 
 /// Checks of the lines that cross each seam, in the order of views and faces: the worst crossing
-/// for each limit of a view.
+/// for each limit of a view. Findings that the list accepts are marked.
 std::vector<Check> line_checks(const LineList& list);
 
-/// The inspection with the checks and findings of the lines among its own, for other programs.
+/// The inspection with the checks, the findings and what is accepted of the lines among its own,
+/// for other programs.
 Inspection with_lines(Inspection inspection, const LineList& list);
 
 /// "keiko-lines/2", on one line of text; see docs/file-formats.md. Faces have the numbers of

@@ -73,6 +73,11 @@ inline Verdict verdict_of(const Report& report) {
     return report.lines ? std::max(seams, verdict_of(*report.lines)) : seams;
 }
 
+/// The inspection with what was judged of lines.
+inline Inspection whole_inspection(const Report& report) {
+    return report.lines ? with_lines(report.inspection, *report.lines) : report.inspection;
+}
+
 /// Number of worst seams, which pictures number and the first screen shows.
 constexpr std::size_t worst_seam_count = 5;
 

@@ -66,8 +66,9 @@ std::string inflections_cell(const MeasuredFace& face) {
 std::string row(const Report& report, std::size_t index) {
     const MeasuredFace& face = report.inspection.faces[index];
     const CriteriaPreset& preset = report.inspection.preset;
-    const std::string verdict(name_of(face.verdict));
-    std::string html = "<tr class=\"" + verdict + "\"" +
+    const bool accepted = is_accepted_face(report.inspection, static_cast<std::uint32_t>(index));
+    const std::string verdict(accepted ? "accepted" : name_of(face.verdict));
+    std::string html = "<tr class=\"" + (accepted ? "crease" : verdict) + "\"" +
                        html_opens_close_up(report, CloseUp::Of::face, index) + ">" +
                        html_cell(std::to_string(face.id), html_escaped(face.name), "left") +
                        html_cell(std::to_string(static_cast<int>(face.verdict)),

@@ -147,9 +147,9 @@ std::string kind_of(const MeasuredSeam& seam) {
 
 /// Cell sorted from good to bad: scraps and creases, pass, undecided, fail, each by its ratio to
 /// the limit.
-std::string verdict_cell(const MeasuredSeam& seam) {
-    const std::string tone = seam.scrap ? "scrap" : tone_of(seam);
-    const bool crease = tone_of(seam) == "crease";
+std::string verdict_cell(const MeasuredSeam& seam, bool accepted) {
+    const std::string tone = accepted ? "accepted" : seam.scrap ? "scrap" : tone_of(seam);
+    const bool crease = accepted || tone_of(seam) == "crease";
     const double rank = crease ? -1 : static_cast<double>(seam.verdict);
     const double within = 1 - 1 / (1 + seam.severity);
     return html_cell(short_number(rank + within, 9), "<span class=\"chip\">" + tone + "</span>");
@@ -159,11 +159,12 @@ std::string row(const Report& report, std::size_t index, bool with_slope) {
     const MeasuredSeam& seam = report.inspection.seams[index];
     const std::size_t number = index + 1;
     const std::string none = html_cell("", "–");
-    std::string html = "<tr class=\"" + tone_of(seam) + "\"" +
+    const bool accepted = is_accepted_seam(report.inspection, static_cast<std::uint32_t>(index));
+    std::string html = "<tr class=\"" + (accepted ? "crease" : tone_of(seam)) + "\"" +
                        html_opens_close_up(report, CloseUp::Of::seam, index) + ">" +
                        html_cell(std::to_string(number), std::to_string(number)) +
                        html_cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
-                       html_cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam);
+                       html_cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam, accepted);
     html += html_number_cell(seam.gap.value, fixed_number(seam.gap.value, 4),
                              !seam.scrap && over(seam.gap));
     html += seam.angle ? html_number_cell(seam.angle->value, fixed_number(seam.angle->value, 3),

@@ -32,6 +32,10 @@ std::string html_lines(const Report& report);
 std::string html_worst_seams(const Report& report);
 /// The profiles of failing and undecided stretches that are not among the worst.
 std::string html_more_profiles(const Report& report);
+/// Findings of seams, faces and lines, by the numbers of report.json.
+std::string html_findings(const Report& report);
+/// Findings that are accepted, and acceptances that cover nothing.
+std::string html_accepted(const Report& report);
 /// Findings that deserve a look without being judged.
 std::string html_looks(const Report& report);
 /// Share of the surface that the lamps reach.

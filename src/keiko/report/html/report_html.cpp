@@ -49,18 +49,6 @@ std::string body_line(const Inspection& inspection) {
            (unmet.empty() ? "" : " · " + html_escaped(unmet)) + " · " + criteria_line(inspection);
 }
 
-std::string look_row(const Report& report, const Check& look) {
-    const std::string opens =
-        look.face == no_index ? "" : html_opens_close_up(report, CloseUp::Of::face, look.face);
-    const MeasuredValue& worst = look.worst;
-    return "<tr class=\"undecided\"" + opens + ">" +
-           html_cell(html_escaped(look.faces), html_escaped(look.faces), "left") +
-           html_cell(look.code, look.code, "left") +
-           html_number_cell(worst.value, short_number(worst.value, 3) + " " + look.unit, true) +
-           html_cell(html_escaped(look.message), html_escaped(look.message), "left") +
-           html_cell(short_number(worst.place.x, 9), place_text(worst.place)) + "</tr>\n";
-}
-
 std::string footer(const Report& report) {
     const CriteriaPreset& preset = report.inspection.preset;
     return "<footer><p>Criteria <b>" + html_escaped(preset.name) +
@@ -102,6 +90,8 @@ std::string html_verdict(const Report& report) {
             count("crease", counts.creases, "crease", "creases");
     if (counts.run_outs > 0) html += count("crease", counts.run_outs, "run-out", "run-outs");
     if (counts.scraps > 0) html += count("crease", counts.scraps, "scrap", "scraps");
+    if (counts.accepted > 0)
+        html += count("crease", counts.accepted, "stretch accepted", "stretches accepted");
     if (report.lines)
         html += count("fail", count_crossings(*report.lines).fail, "line crossing fails",
                       "line crossings fail");
@@ -111,20 +101,11 @@ std::string html_verdict(const Report& report) {
     if (inspection.preset.surface != SurfaceLimits{})
         html += count("fail", inspection.face_counts.fail, "faces fail") +
                 count("undecided", inspection.face_counts.undecided, "faces undecided");
+    if (inspection.face_counts.accepted > 0)
+        html += count("crease", inspection.face_counts.accepted, "face accepted", "faces accepted");
     if (!inspection.facts.lost_faces.empty())
         html += count("fail", inspection.facts.lost_faces.size(), "face lost", "faces lost");
     return html + "</div>\n";
-}
-
-std::string html_looks(const Report& report) {
-    const std::vector<Check>& looks = report.inspection.looks;
-    if (looks.empty()) return "";
-    std::string html =
-        "<section><h2>Worth a look</h2><p class=\"soft\">Reported, not judged: "
-        "nothing here has a part in the verdict.</p>" +
-        html_table_head({"face", "code", "value", "what", "place x, y, z"}, "face");
-    for (const Check& look : looks) html += look_row(report, look);
-    return html + std::string(html_table_end) + "</section>\n";
 }
 
 std::string html_coverage(const Report& report) {
@@ -150,9 +131,10 @@ std::string html_coverage(const Report& report) {
 
 std::string report_html(const Report& report) {
     std::string html;
-    for (const auto section : {html_verdict, html_pictures, html_worst_seams, html_looks,
-                               html_coverage, html_lines, html_form, html_combs, html_more_profiles,
-                               html_all_seams, html_faces, html_facts, html_gallery})
+    for (const auto section :
+         {html_verdict, html_pictures, html_worst_seams, html_findings, html_accepted, html_looks,
+          html_coverage, html_lines, html_form, html_combs, html_more_profiles, html_all_seams,
+          html_faces, html_facts, html_gallery})
         html += section(report);
     html += footer(report) + "\n";
     return html_page(html_escaped(report.inspection.facts.source), "", html, report_script);

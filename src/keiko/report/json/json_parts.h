@@ -18,6 +18,18 @@ Json picture_outcome_json(const PictureOutcome& picture);
 /// Inverse of picture_outcome_json. Throws Json::exception.
 PictureOutcome picture_outcome_from(const Json& json);
 
+/// value, bound, limit, verdict, place.
+Json measured_json(const MeasuredValue& value);
+
+/// A finding, with the keys of inspection_json; `accepted` {who, why, when, until} if it is.
+Json finding_json(const Check& finding);
+/// The findings, then what is worth a look, each with its `number` from 1.
+Json findings_json(const Inspection& inspection);
+/// The accepted findings.
+Json accepted_json(const Inspection& inspection);
+/// A sentence for each acceptance that covers nothing.
+Json acceptance_remarks_json(const Inspection& inspection);
+
 /// Lines in a report: rig, look, preset, verdict, counts and crossings, with the keys of lines_json
 /// but without the curves.
 Json line_verdicts_json(const LineList& list);

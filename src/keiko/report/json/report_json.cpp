@@ -6,16 +6,8 @@
 namespace keiko {
 namespace {
 
-Json worst(const MeasuredValue& w) {
-    return {{"value", w.value},
-            {"bound", w.bound},
-            {"limit", w.limit},
-            {"verdict", name_of(w.verdict)},
-            {"place", point(w.place)}};
-}
-
 Json curvature(const CurvatureStep& step) {
-    Json json = worst(step.worst);
+    Json json = measured_json(step.worst);
     json["unit"] = "1";
     json["flat"] = step.flat;
     json["formula"] = name_of(step.formula);
@@ -28,7 +20,7 @@ Json curvature(const CurvatureStep& step) {
 }
 
 Json slope(const CurvatureSlopeStep& step) {
-    Json json = worst(step.worst);
+    Json json = measured_json(step.worst);
     json["unit"] = "deg";
     json["change"] = step.change;
     json["slopes"] = {step.slope_a, step.slope_b};
@@ -63,14 +55,15 @@ Json seam_json(const MeasuredSeam& seam, std::size_t number, const CriteriaPrese
     const auto judged = [](Json value, bool is_judged) {
         return is_judged || value.is_null() ? value : without_verdict(std::move(value));
     };
-    json["gap"] = judged(worst(seam.gap), !seam.scrap);
-    json["angle"] = judged(seam.angle ? worst(*seam.angle) : Json(), seam.is_angle_judged());
+    json["gap"] = judged(measured_json(seam.gap), !seam.scrap);
+    json["angle"] =
+        judged(seam.angle ? measured_json(*seam.angle) : Json(), seam.is_angle_judged());
     if (seam.angle) json["angle"]["smallest"] = seam.smallest_angle;
     json["curvature"] = judged(seam.curvature ? curvature(*seam.curvature) : Json(),
                                preset.curvature.has_value() && !seam.scrap);
     json["curvature_slope"] = judged(seam.slope ? slope(*seam.slope) : Json(),
                                      preset.curvature_slope.has_value() && !seam.scrap);
-    json["fading"] = judged(seam.fading ? worst(*seam.fading) : Json(), !seam.scrap);
+    json["fading"] = judged(seam.fading ? measured_json(*seam.fading) : Json(), !seam.scrap);
     return json;
 }
 
@@ -97,7 +90,7 @@ std::string_view name_of(Flaw::Kind kind) {
 
 Json flaw_json(const Flaw& flaw) {
     Json json = {{"kind", name_of(flaw.kind)}, {"width", flaw.width}, {"window", flaw.window}};
-    json.update(worst(flaw.depth));
+    json.update(measured_json(flaw.depth));
     return json;
 }
 
@@ -119,8 +112,8 @@ Json face_json(const MeasuredFace& face, std::size_t number, const CriteriaPrese
                  {"radius", Json()},
                  {"curvature", face.curvature ? curvature(*face.curvature) : Json()}};
     if (face.radius)
-        json["radius"] =
-            limits.minimum_radius ? worst(*face.radius) : without_verdict(worst(*face.radius));
+        json["radius"] = limits.minimum_radius ? measured_json(*face.radius)
+                                               : without_verdict(measured_json(*face.radius));
     json["inflections"] = Json::array();
     for (const InflectionCurve& curve : face.inflections)
         json["inflections"].push_back(inflection_json(curve));
@@ -128,21 +121,6 @@ Json face_json(const MeasuredFace& face, std::size_t number, const CriteriaPrese
         json["flaws"] = Json::array();
         for (const Flaw& flaw : face.flaws) json["flaws"].push_back(flaw_json(flaw));
     }
-    return json;
-}
-
-Json finding_json(const Check& finding) {
-    const bool look = finding.severity == Check::Severity::look;
-    Json json = {
-        {"code", finding.code}, {"rule", finding.rule}, {"severity", look ? "look" : "judged"}};
-    if (finding.seam != no_index) json["seam"] = finding.seam + 1;
-    if (finding.face != no_index) json["face"] = finding.face + 1;
-    json["faces"] = finding.faces;
-    json["quantity"] = finding.quantity;
-    json["unit"] = finding.unit;
-    if (!finding.formula.empty()) json["formula"] = finding.formula;
-    json.update(worst(finding.worst));
-    json["message"] = finding.message;
     return json;
 }
 
@@ -210,23 +188,26 @@ Json inspection_json_value(const Inspection& inspection) {
                    {"pass", counts.pass},
                    {"creases", counts.creases},
                    {"run_outs", counts.run_outs},
-                   {"scraps", counts.scraps}}},
+                   {"scraps", counts.scraps},
+                   {"accepted", counts.accepted}}},
                  {"face_counts",
-                  {{"fail", faces.fail}, {"undecided", faces.undecided}, {"pass", faces.pass}}},
+                  {{"fail", faces.fail},
+                   {"undecided", faces.undecided},
+                   {"pass", faces.pass},
+                   {"accepted", faces.accepted}}},
                  {"preset", preset_json(inspection.preset)},
                  {"join", inspection.join},
                  {"model", model_json(inspection.facts)},
                  {"worst_seams", numbers_of(worst_seams(inspection, worst_seam_count))},
                  {"seams", Json::array()},
                  {"faces", Json::array()},
-                 {"findings", Json::array()}};
+                 {"findings", findings_json(inspection)},
+                 {"accepted", accepted_json(inspection)},
+                 {"acceptance_remarks", acceptance_remarks_json(inspection)}};
     for (std::size_t i = 0; i < inspection.seams.size(); ++i)
         json["seams"].push_back(seam_json(inspection.seams[i], i + 1, inspection.preset));
     for (std::size_t i = 0; i < inspection.faces.size(); ++i)
         json["faces"].push_back(face_json(inspection.faces[i], i + 1, inspection.preset));
-    for (const Check& finding : inspection.findings)
-        json["findings"].push_back(finding_json(finding));
-    for (const Check& look : inspection.looks) json["findings"].push_back(finding_json(look));
     for (const Check& check : inspection.checks)
         if (check.code == "KEIKO-SYMMETRY") json["symmetry"] = finding_json(check);
     return json;
@@ -257,7 +238,7 @@ Json coverage_json(const CoverageSummary& coverage) {
 std::string report_json(const Report& report) {
     Json json = {{"format", "keiko-report/1"},
                  {"tool", {{"name", "keiko"}, {"version", report.tool_version}}}};
-    json.update(inspection_json_value(report.inspection));
+    json.update(inspection_json_value(whole_inspection(report)));
     json["verdict"] = name_of(verdict_of(report));
     json["lines"] = report.lines ? line_verdicts_json(*report.lines) : Json();
     json["coverage"] = report.coverage ? coverage_json(*report.coverage) : Json();

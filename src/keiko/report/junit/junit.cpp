@@ -1,3 +1,4 @@
+#include "keiko/report/content/acceptance_texts.h"
 #include "keiko/report/content/comparison.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/regression.h"
@@ -20,6 +21,9 @@ JunitCase check_case(const std::string& source, const Check& check) {
     JunitCase one{source, subject_of(check) + ": " + check.quantity};
     if (!check.judged) {
         one.outcome = Outcome::skipped, one.message = check.message;
+    } else if (check.accepted) {
+        one.outcome = Outcome::skipped;
+        one.message = "accepted: " + text_of(*check.accepted) + "; " + check.message;
     } else if (check.is_finding()) {
         one.outcome = check.worst.verdict == Verdict::fail ? Outcome::failure : Outcome::error;
         one.type = check.code, one.message = check.message, one.details = placed_message(check);
@@ -81,6 +85,8 @@ std::string junit_xml(const Inspection& inspection) {
                      {{"preset", inspection.preset.name},
                       {"source", inspection.preset.source},
                       {"verdict", std::string(name_of(inspection.verdict))}}};
+    for (const AcceptanceRemark& remark : inspection.acceptance_remarks)
+        suite.properties.emplace_back("acceptance", text_of(remark));
     for (const LostFace& face : inspection.facts.lost_faces)
         suite.cases.push_back(case_of(source, face));
     std::map<std::string, int> uses;

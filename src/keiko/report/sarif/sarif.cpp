@@ -1,5 +1,6 @@
 #include "keiko/base/sha256.h"
 #include "keiko/inspect/inspection.h"
+#include "keiko/report/content/acceptance_texts.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/markup/json_text.h"
 
@@ -173,6 +174,14 @@ std::string fingerprint(const Check& check, std::span<const SarifPlace> places, 
     return sha256_hex(identity).substr(0, digits);
 }
 
+/// SARIF suppressions of a result: one if its finding is accepted, else none.
+Json suppressions_of(const Check& check) {
+    if (!check.accepted) return Json::array();
+    const Json one = {
+        {"kind", "external"}, {"status", "accepted"}, {"justification", text_of(*check.accepted)}};
+    return Json::array({one});
+}
+
 /// Writes the results of one run.
 class SarifResults {
 public:
@@ -191,6 +200,8 @@ public:
             json["relatedLocations"] = Json::array({related_location(places[1], files_)});
         json["partialFingerprints"] = {
             {"primaryLocationLineHash", numbered(fingerprint(check, places, files_))}};
+        // Either all results of a run have the property or none (SARIF 2.1.0, 3.27.23).
+        if (!inspection_.accepted.empty()) json["suppressions"] = suppressions_of(check);
         json["properties"] = properties_of(check);
         return json;
     }
@@ -212,14 +223,15 @@ private:
     std::map<std::string, int> uses_;
 };
 
-/// The findings that fit into a run: failures before undecided ones, otherwise in their order, and
-/// last those that deserve a look.
+/// The findings that fit into a run: failures before undecided ones, otherwise in their order, then
+/// those that are accepted, and last those that deserve a look.
 std::vector<const Check*> top_findings(const Inspection& inspection) {
     std::vector<const Check*> top;
     for (const Check& finding : inspection.findings) top.push_back(&finding);
     std::stable_sort(top.begin(), top.end(), [](const Check* a, const Check* b) {
         return a->worst.verdict > b->worst.verdict;
     });
+    for (const Check& accepted : inspection.accepted) top.push_back(&accepted);
     for (const Check& look : inspection.looks) top.push_back(&look);
     top.resize(std::min(top.size(), most_sarif_results));
     return top;
@@ -236,7 +248,10 @@ Json invocation(const Inspection& inspection) {
     for (const LostFace& face : inspection.facts.lost_faces)
         notifications.push_back(notification(
             "error", "face " + std::to_string(face.id) + " is missing: " + face.reason));
-    const std::size_t found = inspection.findings.size() + inspection.looks.size();
+    for (const AcceptanceRemark& remark : inspection.acceptance_remarks)
+        notifications.push_back(notification("warning", text_of(remark)));
+    const std::size_t found =
+        inspection.findings.size() + inspection.accepted.size() + inspection.looks.size();
     if (found > most_sarif_results)
         notifications.push_back(notification(
             "warning", std::to_string(found - most_sarif_results) + " of " + std::to_string(found) +
@@ -270,9 +285,10 @@ std::string sarif_json(const Inspection& inspection, const std::string& tool_ver
                       {"artifacts", artifacts_of(files)},
                       {"results", results},
                       {"properties", {{"preset", inspection.preset.name}}}};
-    return text_of({{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
-                    {"version", "2.1.0"},
-                    {"runs", Json::array({run})}});
+    const Json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
+                      {"version", "2.1.0"},
+                      {"runs", Json::array({run})}};
+    return text_of(log);
 }
 
 } // namespace keiko

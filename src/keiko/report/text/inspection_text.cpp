@@ -1,4 +1,5 @@
 #include "keiko/base/text.h"
+#include "keiko/report/content/acceptance_texts.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/line_list.h"
 
@@ -13,7 +14,8 @@ std::string faces_text(const Inspection& inspection) {
     if (inspection.preset.surface == SurfaceLimits{}) return "";
     const FaceCounts& counts = inspection.face_counts;
     return "; faces " + std::to_string(counts.fail) + " fail, " + std::to_string(counts.undecided) +
-           " undecided, " + std::to_string(counts.pass) + " pass";
+           " undecided, " + std::to_string(counts.pass) + " pass" +
+           (counts.accepted > 0 ? ", " + std::to_string(counts.accepted) + " accepted" : "");
 }
 
 /// Adds the symmetry even if it passes, since its amount is of interest.
@@ -32,6 +34,29 @@ std::string stretches_text(const Inspection& inspection) {
 
 void add_check_line(TextLines& lines, const Check& check) {
     lines.line() << outcome_of(check) << "  " << check.code << "  " << placed_message(check);
+}
+
+/// Adds the findings with the numbers by which `keiko accept` names them.
+void add_findings(TextLines& lines, const Inspection& inspection, std::size_t most) {
+    const std::vector<Check>& findings = inspection.findings;
+    const std::size_t shown = std::min(most, findings.size());
+    for (std::size_t i = 0; i < shown; ++i)
+        lines.line() << outcome_of(findings[i]) << "  " << findings[i].code << "  #" << i + 1
+                     << "  " << placed_message(findings[i]);
+    if (shown < findings.size())
+        lines.line() << "and " << findings.size() - shown
+                     << " more findings; JSON, JUnit, SARIF and CSV list them all";
+}
+
+void add_accepted(TextLines& lines, const Inspection& inspection, std::size_t most) {
+    const std::vector<Check>& accepted = inspection.accepted;
+    if (accepted.empty()) return;
+    lines.line() << accepted.size() << " accepted, no part of the verdict:";
+    const std::size_t shown = std::min(most, accepted.size());
+    for (std::size_t i = 0; i < shown; ++i)
+        lines.line() << outcome_of(accepted[i]) << "  " << accepted[i].code << "  "
+                     << placed_message(accepted[i]) << "; " << text_of(*accepted[i].accepted);
+    if (shown < accepted.size()) lines.line() << "and " << accepted.size() - shown << " more";
 }
 
 void add_looks(TextLines& lines, const Inspection& inspection, std::size_t most) {
@@ -77,6 +102,7 @@ std::string seams_words(const Inspection& inspection) {
            " pass, " + std::to_string(counts.creases) + " creases" +
            (counts.run_outs > 0 ? ", " + counted(counts.run_outs, "run-out") : "") +
            (counts.scraps > 0 ? ", " + counted(counts.scraps, "scrap") : "") +
+           (counts.accepted > 0 ? ", " + std::to_string(counts.accepted) + " accepted" : "") +
            stretches_text(inspection) + (unmet.empty() ? "" : "; " + unmet);
 }
 
@@ -85,11 +111,8 @@ std::string inspection_text(const Inspection& inspection, std::size_t most) {
     lines.line() << name_of(inspection.verdict) << ": " << seams_words(inspection)
                  << faces_text(inspection) << "; by " << inspection.preset.name;
     add_symmetry(lines, inspection);
-    const std::size_t shown = std::min(most, inspection.findings.size());
-    for (std::size_t i = 0; i < shown; ++i) add_check_line(lines, inspection.findings[i]);
-    if (shown < inspection.findings.size())
-        lines.line() << "and " << inspection.findings.size() - shown
-                     << " more findings; JSON, JUnit, SARIF and CSV list them all";
+    add_findings(lines, inspection, most);
+    add_accepted(lines, inspection, most);
     add_looks(lines, inspection, most);
     return lines.text();
 }

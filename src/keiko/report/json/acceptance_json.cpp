@@ -1,0 +1,207 @@
+#include "keiko/base/error.h"
+#include "keiko/report/content/acceptance_texts.h"
+#include "keiko/report/markup/json_text.h"
+
+#include <cmath>
+#include <initializer_list>
+#include <limits>
+#include <stdexcept>
+
+namespace keiko {
+namespace {
+
+constexpr const char* format = "keiko-accepted/1";
+constexpr const char* list_key = "accepted";
+constexpr double longest_reach = 1000; ///< mm
+
+void require(bool holds, const std::string& key, const std::string& reason) {
+    if (!holds) throw Error("", key, reason);
+}
+
+/// The text at a key, which may be missing only if it is optional.
+std::string text_at(const Json& json, const char* key, bool optional = false) {
+    if (optional && !json.contains(key)) return "";
+    const std::string text = json.at(key).get<std::string>();
+    require(!text.empty(), key, "is empty");
+    return text;
+}
+
+std::string date_at(const Json& json, const char* key, bool optional = false) {
+    const std::string date = text_at(json, key, optional);
+    require(date.empty() || is_date(date), key, in_quotes(date) + " is no date as 2026-11-27");
+    return date;
+}
+
+/// A number that is finite and not less than 0.
+double number_at(const Json& json, const char* key) {
+    const double number = json.at(key).get<double>();
+    require(std::isfinite(number) && number >= 0, key, "is not a number from 0 on");
+    return number;
+}
+
+Vec3 place_at(const Json& json, const char* key) {
+    const Vec3 place = point_from(json.at(key));
+    require(std::isfinite(place.length()), key, "is not finite");
+    return place;
+}
+
+Verdict verdict_at(const Json& json) {
+    const std::string word = json.at("verdict").get<std::string>();
+    require(word == "fail" || word == "undecided", "verdict", "is neither fail nor undecided");
+    return word == "fail" ? Verdict::fail : Verdict::undecided;
+}
+
+std::string code_at(const Json& json) {
+    const std::string code = text_at(json, "code");
+    try {
+        return std::string(criterion_of(code).code);
+    } catch (const std::out_of_range&) {
+        throw Error("", "code", "there is no criterion " + in_quotes(code));
+    }
+}
+
+void require_known_keys(const Json& json, std::initializer_list<const char*> known) {
+    require(json.is_object(), "", "is no object");
+    for (const auto& [key, value] : json.items())
+        require(std::find(known.begin(), known.end(), key) != known.end(), "",
+                "unknown key " + in_quotes(key));
+}
+
+/// Keys common to an entry and a finding of a report.
+Acceptance finding_from(const Json& json) {
+    Acceptance entry;
+    entry.code = code_at(json);
+    entry.formula = text_at(json, "formula", true);
+    entry.view = text_at(json, "view", true);
+    entry.faces = text_at(json, "faces");
+    entry.unit = text_at(json, "unit");
+    entry.place = place_at(json, "place");
+    entry.value = number_at(json, "value");
+    entry.limit = number_at(json, "limit");
+    entry.verdict = verdict_at(json);
+    return entry;
+}
+
+Acceptance entry_from(const Json& json) {
+    require_known_keys(
+        json, {"code", "formula", "view", "faces", "place", "reach", "stretch", "value", "bound",
+               "limit", "unit", "verdict", "who", "why", "when", "until"});
+    Acceptance entry = finding_from(json);
+    entry.bound = real_from(json.at("bound"));
+    require(entry.bound >= 0, "bound", "is not a number from 0 on");
+    entry.reach = number_at(json, "reach");
+    require(entry.reach > 0 && entry.reach <= longest_reach, "reach",
+            "is not above 0 and at most 1000 mm");
+    if (json.contains("stretch")) {
+        const Json& stretch = json.at("stretch");
+        require_known_keys(stretch, {"middle", "length"});
+        entry.stretch = {place_at(stretch, "middle"), number_at(stretch, "length")};
+    }
+    entry.note = {text_at(json, "who"), text_at(json, "why"), date_at(json, "when"),
+                  date_at(json, "until", true)};
+    return entry;
+}
+
+Json entry_json(const Acceptance& entry) {
+    Json json = {{"code", entry.code}};
+    if (!entry.formula.empty()) json["formula"] = entry.formula;
+    if (!entry.view.empty()) json["view"] = entry.view;
+    json["faces"] = entry.faces;
+    json["place"] = point(entry.place);
+    json["reach"] = entry.reach;
+    if (entry.stretch)
+        json["stretch"] = {{"middle", point(entry.stretch->middle)},
+                           {"length", entry.stretch->length}};
+    json["value"] = entry.value, json["bound"] = real_json(entry.bound);
+    json["limit"] = entry.limit, json["unit"] = entry.unit;
+    json["verdict"] = name_of(entry.verdict);
+    json["who"] = entry.note.who, json["why"] = entry.note.why, json["when"] = entry.note.when;
+    if (!entry.note.until.empty()) json["until"] = entry.note.until;
+    return json;
+}
+
+/// Calls `read`, whose errors then name the file and the part of it.
+template <class Read>
+auto named(const std::string& file, const std::string& part, const Read& read) {
+    try {
+        return read();
+    } catch (const Error& error) {
+        const std::string& key = error.where();
+        throw Error(file, part.empty() || key.empty() ? part + key : part + ", " + key,
+                    error.reason());
+    } catch (const Json::parse_error& error) {
+        throw Error(file, part, "no JSON at byte " + std::to_string(error.byte));
+    } catch (const Json::exception&) {
+        throw Error(file, part, "a key is missing or not of the right kind");
+    }
+}
+
+Json list_from(const std::string& text) {
+    Json json = Json::parse(text);
+    require(json.is_object() && json.contains("format") && json["format"] == format, "",
+            std::string("is not of the format ") + format);
+    require_known_keys(json, {"format", list_key});
+    require(json.at(list_key).is_array(), list_key, "is no array");
+    return json.at(list_key);
+}
+
+Json report_from(const std::string& text) {
+    Json json = Json::parse(text);
+    const Json kind = json.is_object() && json.contains("format") ? json["format"] : Json();
+    require(kind == "keiko-inspection/1" || kind == "keiko-report/1", "",
+            "is no report in JSON of keiko check or keiko inspect");
+    require(json.at("findings").is_array(), "findings", "is no array");
+    return json;
+}
+
+Acceptance acceptance_of_item(const Json& report, std::size_t item, const AcceptanceNote& note) {
+    const Json& findings = report.at("findings");
+    require(item >= 1 && item <= findings.size(), "",
+            "there is no such finding; there are " + std::to_string(findings.size()));
+    const Json& finding = findings[item - 1];
+    require(finding.at("severity") == "judged", "",
+            "is worth a look alone: it has no part in the verdict");
+    Acceptance entry = finding_from(finding);
+    const Json& bound = finding.at("bound"); // null if there is none
+    entry.bound = bound.is_null() ? std::numeric_limits<double>::infinity() : real_from(bound);
+    entry.reach = acceptance_reach, entry.note = note;
+    if (!finding.contains("seam")) return entry;
+    const Json& seam = report.at("seams").at(count_at<std::size_t>(finding, "seam") - 1);
+    entry.stretch = {place_at(seam, "middle"), number_at(seam, "length")};
+    entry.reach = acceptance_reach_on(entry.stretch->length);
+    return entry;
+}
+
+} // namespace
+
+std::string acceptances_json(std::span<const Acceptance> entries) {
+    Json json = {{"format", format}, {list_key, Json::array()}};
+    for (const Acceptance& entry : entries) json[list_key].push_back(entry_json(entry));
+    return text_of(json);
+}
+
+std::vector<Acceptance> acceptances_from_json(const std::string& text, const std::string& file) {
+    const Json list = named(file, "", [&] { return list_from(text); });
+    std::vector<Acceptance> entries;
+    for (const Json& json : list) {
+        const std::string part = "entry " + std::to_string(entries.size() + 1);
+        entries.push_back(named(file, part, [&] { return entry_from(json); }));
+        for (std::size_t i = 0; i + 1 < entries.size(); ++i)
+            if (accept_the_same(entries[i], entries.back()))
+                throw Error(file, part, "accepts what entry " + std::to_string(i + 1) + " does");
+    }
+    return entries;
+}
+
+std::vector<Acceptance> acceptances_of_report(const std::string& text, const std::string& file,
+                                              std::span<const std::size_t> items,
+                                              const AcceptanceNote& note) {
+    const Json report = named(file, "", [&] { return report_from(text); });
+    std::vector<Acceptance> entries;
+    for (const std::size_t item : items)
+        entries.push_back(named(file, "item " + std::to_string(item),
+                                [&] { return acceptance_of_item(report, item, note); }));
+    return entries;
+}
+
+} // namespace keiko

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "keiko/base/export.h"
+#include "keiko/inspect/acceptance.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace KEIKO_API keiko {
+
+/// The day of the clock in UTC, "2026-11-27".
+std::string date_today();
+
+/// The accepted findings of a file (keiko-accepted/1), applied on `today`. Throws Error that names
+/// the entry and the reason.
+AcceptanceList read_acceptances(const std::filesystem::path& file, std::string today);
+
+/// Acceptances, some of them added to earlier ones.
+struct AddedAcceptances {
+    std::vector<Acceptance> entries;  ///< all of them: the earlier ones first, in their order
+    std::vector<Acceptance> added;    ///< the new ones
+    std::vector<Acceptance> replaced; ///< earlier ones of the same finding that no longer held
+};
+
+/// Adds acceptances of findings of a report to earlier ones. One that has expired, or that is of
+/// another value, is replaced. Throws Error naming `file` for a finding that is accepted already,
+/// and for a report that cannot be read.
+AddedAcceptances accept_items(const AcceptanceList& earlier, const std::filesystem::path& file,
+                              const std::filesystem::path& report,
+                              std::span<const std::size_t> items, const AcceptanceNote& note);
+
+} // namespace keiko
