@@ -19,11 +19,14 @@ struct Walker {
 
 std::optional<Walker> standing(const FaceAdjacency& faces, const SheetPoint& at,
                                const SurfaceDerivatives& there, const Vec3& direction,
-                               const Vec3& upward) {
+                               const Vec3& upward, double step) {
     auto frame = faces.frame(at, there, direction);
     if (!frame) return std::nullopt;
     if (frame->z.dot(upward) < 0) frame->y *= -1, frame->z *= -1;
-    return Walker{at, there, *frame, second_form(there, frame->z, frame->x)};
+    constexpr double aside = 0.01; // of a step
+    const auto bend = faces.bend(at, there, *frame, aside * step);
+    if (!bend) return std::nullopt;
+    return Walker{at, there, *frame, *bend};
 }
 
 /// The arc of a circle, projected to its tangent.
@@ -37,7 +40,7 @@ std::optional<Walker> ahead(const FaceAdjacency& faces, const Walker& from, doub
     if (!s) return std::nullopt;
     const Vec3 chord = (s->position() - from.frame.origin).normalized();
     const Vec3& last = from.frame.x;
-    return standing(faces, *at, *s, chord * (2 * chord.dot(last)) - last, from.frame.z);
+    return standing(faces, *at, *s, chord * (2 * chord.dot(last)) - last, from.frame.z, step);
 }
 
 void add_border(const FaceAdjacency& faces, const Walker& from, double step,
@@ -52,7 +55,8 @@ void add_border(const FaceAdjacency& faces, const Walker& from, double step,
         if (next) last = next;
     }
     if (last)
-        points.push_back({last->at, last->frame.origin, points.back().length + near, last->bend});
+        points.push_back(
+            {last->at, last->frame.origin, points.back().length + near, last->bend, last->frame.z});
 }
 
 constexpr double profile_reach = 2.5; ///< waves
@@ -83,6 +87,13 @@ double swing_at(const RoughnessProfile& profile, double middle, double length) {
     return (6 * height(0) - 4 * (height(0.5) + height(-0.5)) + height(1) + height(-1)) / 16;
 }
 
+/// Depth by the third difference over one and a half waves, positive if a crest is before the
+/// middle. It cancels a form up to its second derivative.
+double narrow_swing_at(const RoughnessProfile& profile, double middle, double length) {
+    const auto height = [&](double waves) { return profile.height(middle + waves * length); };
+    return (3 * (height(-0.25) - height(0.25)) + height(0.75) - height(-0.75)) / 8;
+}
+
 /// A wave of this length with its crest at the given place. It is measured by the waves about the
 /// crest or, if the profile is too short, about the next places half a wave apart.
 std::optional<Wave> wave_at(const RoughnessProfile& profile, double crest, double length) {
@@ -95,8 +106,22 @@ std::optional<Wave> wave_at(const RoughnessProfile& profile, double crest, doubl
     return std::nullopt;
 }
 
+/// The same where less than two waves are.
+std::optional<Wave> narrow_wave_at(const RoughnessProfile& profile, double crest, double length) {
+    for (const int shift : {1, -1, 3, -3}) {
+        const double middle = crest + shift * length / 4;
+        if (!profile.holds(middle - 0.75 * length) || !profile.holds(middle + 0.75 * length))
+            continue;
+        const double swing = narrow_swing_at(profile, middle, length);
+        return Wave{shift == 1 || shift == -3 ? swing : -swing, length, crest, middle};
+    }
+    return std::nullopt;
+}
+
 /// The deepest wave near a first guess.
-std::optional<Wave> deepest(const RoughnessProfile& profile, double side, double length) {
+template <class WaveAt>
+std::optional<Wave> deepest(const RoughnessProfile& profile, double side, double length,
+                            const WaveAt& wave_at) {
     auto best = wave_at(profile, 0, length);
     double step = 0.1;
     constexpr int halvings = 7, most_rounds = 60;
@@ -156,13 +181,21 @@ std::optional<Found> found_from(const FaceAdjacency& faces, const SheetPoint& at
                                 double side, double length) {
     const auto profile = RoughnessProfile::through(faces, at, along, length);
     if (!profile) return std::nullopt;
-    const auto wave = deepest(*profile, side, length);
+    const auto wave = deepest(*profile, side, length, wave_at);
     if (!wave) return std::nullopt;
     const double shorter = swing_at(*profile, wave->middle, 0.95 * wave->length);
     const Upright stands = upright(*profile, wave->middle, wave->length);
     return Found{profile->place(faces, wave->crest),
                  std::copysign(stands.depth, wave->depth * side), stands.length,
                  std::abs(std::abs(shorter) - std::abs(wave->depth))};
+}
+
+/// What a form adds to a third difference if its bend changes by as much as it is.
+double bend_at(const RoughnessProfile& profile, double middle, double length) {
+    const auto pair = [&](double waves) {
+        return profile.height(middle + waves * length) + profile.height(middle - waves * length);
+    };
+    return std::abs(pair(0.75) - pair(0.25)) / 8;
 }
 
 } // namespace
@@ -173,10 +206,11 @@ GeodesicTrace walk_straight(const FaceAdjacency& faces, const SheetPoint& from,
     const auto start = faces.evaluate(from, 2);
     const auto frame = start ? faces.frame(from, *start, direction) : std::nullopt;
     if (!frame) return walk;
-    auto walker = standing(faces, from, *start, direction, frame->z);
+    auto walker = standing(faces, from, *start, direction, frame->z, step);
     for (int i = 0; walker; ++i) {
         check_stop();
-        walk.points.push_back({walker->at, walker->frame.origin, i * step, walker->bend});
+        walk.points.push_back(
+            {walker->at, walker->frame.origin, i * step, walker->bend, walker->frame.z});
         if ((i + 1) * step > reach) return walk;
         const auto next = ahead(faces, *walker, step);
         if (!next && to_border) add_border(faces, *walker, step, walk.points);
@@ -191,9 +225,17 @@ std::optional<RoughnessProfile> RoughnessProfile::through(const FaceAdjacency& f
                                                           double length) {
     RoughnessProfile profile;
     profile.step_ = length / profile_steps;
+    profile.between_borders_ = true;
     const auto walk = [&](double side) {
-        return walk_straight(faces, at, along * side, profile.step_, profile_reach * length, false)
-            .points;
+        GeodesicTrace trace =
+            walk_straight(faces, at, along * side, profile.step_, profile_reach * length, false);
+        const auto away =
+            std::find_if(trace.points.begin(), trace.points.end(), [&](const WalkPoint& point) {
+                return point.normal.dot(trace.points.front().normal) <= 0;
+            });
+        if (!trace.ended || away != trace.points.end()) profile.between_borders_ = false;
+        trace.points.erase(away, trace.points.end());
+        return trace.points;
     };
     const std::vector<WalkPoint> behind = walk(-1), ahead = walk(1);
     if (behind.size() + ahead.size() < fewest_samples) return std::nullopt;
@@ -256,6 +298,22 @@ std::optional<WaveSection> wave_section(const FaceAdjacency& faces, const SheetP
     }
     return WaveSection{best->depth, best->length, best->bound, best->at,
                        faces.evaluate(best->at, 0)->position()};
+}
+
+std::optional<WaveSection> narrow_wave_section(const FaceAdjacency& faces, const SheetPoint& at,
+                                               const Vec3& along, bool crest, double length) {
+    const auto profile = RoughnessProfile::through(faces, at, along, length);
+    if (!profile || !profile->is_between_borders() || wave_at(*profile, 0, length))
+        return std::nullopt;
+    const double side = crest ? 1 : -1;
+    const auto wave = deepest(*profile, side, length, narrow_wave_at);
+    if (!wave || !(wave->depth * side > 0)) return std::nullopt;
+    const double shorter = narrow_swing_at(*profile, wave->middle, 0.95 * wave->length);
+    const double bound = std::abs(std::abs(shorter) - std::abs(wave->depth)) +
+                         bend_at(*profile, wave->middle, wave->length);
+    const SheetPoint place = profile->place(faces, wave->crest);
+    return WaveSection{std::abs(wave->depth), wave->length, bound, place,
+                       faces.evaluate(place, 0)->position()};
 }
 
 } // namespace keiko

@@ -14,6 +14,7 @@ struct WalkPoint {
     Vec3 position{0};  ///< world, mm
     double length = 0; ///< mm traced
     SecondForm bend;   ///< 1/mm, x along the trace, by the normal of the first place
+    Vec3 normal{0};    ///< unit, continued from the first place
 };
 
 /// A straight trace over smooth faces.
@@ -24,7 +25,7 @@ struct GeodesicTrace {
 
 /// Approximate geodesic from a place in a direction, in steps of `step` mm along the surface, as
 /// far as `reach` mm. If material ends before, with `to_border`, a last shorter step leads to its
-/// border. No points at a pole.
+/// border. No points where the surface has no normal.
 GeodesicTrace walk_straight(const FaceAdjacency& faces, const SheetPoint& from,
                             const Vec3& direction, double step, double reach, bool to_border);
 
@@ -33,13 +34,16 @@ GeodesicTrace walk_straight(const FaceAdjacency& faces, const SheetPoint& from,
 /// therefore a parabola, however strong, and the angle of a seam does not count.
 class RoughnessProfile {
 public:
-    /// Two and a half waves of `length` mm to either side of a place, less where material ends;
-    /// nullopt at a pole.
+    /// Two and a half waves of `length` mm to either side of a place, less where material ends or
+    /// the surface has turned by a right angle, as around a tube;
+    /// nullopt where the surface has no normal.
     static std::optional<RoughnessProfile> through(const FaceAdjacency& faces, const SheetPoint& at,
                                                    const Vec3& along, double length);
 
     /// True if the profile reaches `s`: mm from the place, positive along the trace.
     bool holds(double s) const;
+    /// True if material ends at both of its ends.
+    bool is_between_borders() const { return between_borders_; }
     /// mm, outwards; up to a straight line that is fixed for the whole profile.
     double height(double s) const;
     /// Place of the surface.
@@ -49,6 +53,7 @@ private:
     std::vector<WalkPoint> points_; ///< uniformly spaced by `step_`
     std::vector<double> heights_;
     double begin_ = 0, step_ = 1;
+    bool between_borders_ = false;
 };
 
 /// A wave on a straight trace over a surface.
@@ -66,5 +71,11 @@ struct WaveSection {
 /// less than two waves.
 std::optional<WaveSection> wave_section(const FaceAdjacency& faces, const SheetPoint& at,
                                         const Vec3& along, bool crest, double length);
+
+/// Measures such a wave where the surface is too narrow for two of them, by the third difference
+/// over one and a half. The bound includes what the form adds if its bend changes by as much as it
+/// is. nullopt if two waves or less than one and a half are.
+std::optional<WaveSection> narrow_wave_section(const FaceAdjacency& faces, const SheetPoint& at,
+                                               const Vec3& along, bool crest, double length);
 
 } // namespace keiko
