@@ -88,7 +88,7 @@ double depth_at_pole(double depth, const RoundDent& dent) {
 
 TEST(FlawsAtPoles, DentsAtThePoleAreMeasuredAcrossIt) {
     for (const PolarChart& chart : charts())
-        for (const double bend : {0.0, -1.0 / 800, 1.0 / 2000})
+        for (const double bend : {0.0, -1.0 / 800})
             for (const double diameter : {30.0, 50.0})
                 for (const double depth : {0.3, -0.02}) {
                     SCOPED_TRACE(testing::Message()
@@ -110,6 +110,17 @@ TEST(FlawsAtPoles, DentsAtThePoleAreMeasuredAcrossIt) {
                     EXPECT_EQ(flaws[0].kind,
                               (depth > 0) != down ? Flaw::Kind::bump : Flaw::Kind::dent);
                 }
+}
+
+/// A ball, a paraboloid whose curvature peaks at the pole, and the tip of a cone.
+TEST(FlawsAtPoles, NothingIsFoundOnTheCleanTwins) {
+    const auto ball = [](double x, double y) { return std::sqrt(4e4 - x * x - y * y); };
+    const auto cone = [](double x, double y) { return -0.2 * std::hypot(x, y); };
+    for (const PolarChart& chart : charts())
+        for (const PanelHeight& height :
+             {PanelHeight(ball), paraboloid(-1.0 / 100), PanelHeight(cone)})
+            for (const Flaw& flaw : flaws_of(polar_panel(height, chart)))
+                ADD_FAILURE() << chart.faces << chart.pole_at_end << ' ' << flaw.depth.value;
 }
 
 } // namespace

@@ -3,7 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/flaws/dent_depth.h"
 #include "keiko/inspect/flaws/face_ripples.h"
-#include "keiko/inspect/flaws/geodesic_trace.h"
+#include "keiko/inspect/flaws/wave_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,7 +121,9 @@ private:
     /// Waves of which the surface holds less than two are undecided: they may be form.
     std::optional<PlacedFlaw> narrow_wave(const FaceRipple& r) const {
         const auto found = narrow_wave_section(faces_, r.at, r.along, r.depth > 0, r.width);
-        if (!found || found->length > widest_share * limit_.window) return std::nullopt;
+        if (!found || found->length > widest_share * limit_.window ||
+            found->bound > form_share * found->depth)
+            return std::nullopt;
         MeasuredValue value = depth(found->depth, found->bound, found->position);
         value.verdict = std::min(value.verdict, Verdict::undecided);
         return PlacedFlaw{{Flaw::Kind::waves, value, found->length, limit_.window}, found->at.face};
