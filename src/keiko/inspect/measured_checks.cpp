@@ -88,13 +88,29 @@ Check radius_check(const MeasuredFace& face) {
     return judged_check("G-SU-CR", "mm", *face.radius, {"the smallest radius", " mm"});
 }
 
+Check unsearched_check(const Flaw& flaw) {
+    Check check =
+        judged_check("G-SU-WV", "mm", flaw.depth, {"the depth of dents and waves", " mm"});
+    check.message = "the face, some " + short_number(flaw.width) +
+                    " mm long, is too large to be searched for dents and waves in a window of " +
+                    short_number(flaw.window) + " mm";
+    return check;
+}
+
 Check flaw_check(const Flaw& flaw) {
+    if (flaw.kind == Flaw::Kind::unsearched) return unsearched_check(flaw);
     Check check = flaw.kind == Flaw::Kind::waves
                       ? judged_check("G-SU-WV", "mm", flaw.depth, {"the depth of the waves", " mm"})
                   : flaw.kind == Flaw::Kind::dent
                       ? judged_check("KEIKO-DENT", "mm", flaw.depth, {"the dent", " mm"})
                       : judged_check("KEIKO-DENT", "mm", flaw.depth, {"the bump", " mm"});
     check.message += ", some " + short_number(flaw.width) + " mm wide";
+    const MeasuredValue& depth = flaw.depth;
+    if (depth.verdict == Verdict::undecided && depth.value - depth.bound > depth.limit &&
+        flaw.kind == Flaw::Kind::waves)
+        check.message = "the waves of " + short_number(depth.value) + " mm may be form, as the " +
+                        "surface holds less than two of them, some " + short_number(flaw.width) +
+                        " mm long";
     return check;
 }
 

@@ -215,5 +215,33 @@ TEST(FlawsAtBorders, WhatIsTooWideForTheWindowIsNotMeasuredWrongly) {
             }
 }
 
+/// One and a half to two and a half waves from border to border may be form.
+TEST(FlawsAtBorders, WavesAcrossANarrowStripAreUndecided) {
+    for (const double waves : {1.5, 2.0})
+        for (const double length : {20.0, 40.0})
+            for (const double depth : {0.02, 0.03}) {
+                SCOPED_TRACE(testing::Message() << waves << ' ' << length << ' ' << depth);
+                const double half = waves * length / 2;
+                const Profile across = test::part(wave(length, 3 * length), -half, half);
+                const std::vector<Check> checks =
+                    checks_of_flaws(sheet(across, everywhere(), depth, {}), 0.01);
+                ASSERT_EQ(checks.size(), 1u);
+                EXPECT_EQ(checks[0].code, "G-SU-WV");
+                EXPECT_EQ(checks[0].worst.verdict, Verdict::undecided);
+                EXPECT_NEAR(checks[0].worst.value, depth, 0.1 * depth);
+                EXPECT_LT(checks[0].worst.bound, 0.1 * depth);
+                EXPECT_NE(checks[0].message.find("may be form"), std::string::npos);
+            }
+}
+
+TEST(FlawsAtBorders, AFaceOfKilometresIsUndecided) {
+    test::ModelBuilder builder;
+    builder.plane({0, 0, 0}, {3e7, 0, 0}, {0, 3e7, 0});
+    const std::vector<Check> checks = checks_of_flaws(builder.build(), 0.01);
+    ASSERT_EQ(checks.size(), 1u);
+    EXPECT_EQ(checks[0].worst.verdict, Verdict::undecided);
+    EXPECT_NE(checks[0].message.find("too large"), std::string::npos);
+}
+
 } // namespace
 } // namespace keiko

@@ -24,19 +24,26 @@ enum class BaseKind {
     bent ///< z - b z² / 2, with the larger curvature b at the origin: exact for spheres, cylinders
 };
 
+/// Where the heights of a ReferenceForm lie.
+enum class BaseDomain {
+    disc, ///< around the origin
+    line  ///< on the x axis; their y does not count
+};
+
 /// The form under a dent: a polynomial of total degree 4 over the plane through most heights.
 /// Outliers do not count. It is fitted by iteratively reweighted least squares, first to the
 /// smallest sum of distances, then with Tukey's biweight [HollandWelsch1977], as [ISO16610-31] does
 /// for profiles.
 class ReferenceForm {
 public:
-    /// Number of terms x^i y^j of total degree 0 to 4.
+    /// Number of terms x^i y^j of total degree 0 to 4; on a line the first 5 are those of x.
     static constexpr std::size_t term_count = 15;
 
     /// The form of the heights within `reach` of the origin, mm; nullopt if they are fewer than
-    /// twice term_count or too close to a line.
+    /// twice the terms or, on a disc, too close to a line.
     static std::optional<ReferenceForm> fit(std::span<const FormHeight> heights, double reach,
-                                            BaseKind kind = BaseKind::flat);
+                                            BaseKind kind = BaseKind::flat,
+                                            BaseDomain domain = BaseDomain::disc);
 
     /// mm: deviation of a height from the form, along the normal of the plane near the origin.
     double offset(const FormHeight& height) const;
@@ -53,6 +60,7 @@ private:
 
     double reach_ = 1, origin_bound_ = 0;
     double bend_ = 0; ///< 1/mm, 0 of a flat one
+    BaseDomain domain_ = BaseDomain::disc;
     std::array<double, term_count> terms_{};
 };
 

@@ -41,6 +41,7 @@ FaceAdjacency::FaceAdjacency(const SurfaceModel& model, std::span<const Measured
         for (const std::uint32_t piece : seam.pieces) add_crossings(curves, pieces[piece], spacing);
     }
     for (std::size_t i = 0; i < faces_.size(); ++i) sheets_.push_back(sheets.root(i));
+    poles_ = SurfacePoles(faces_, sheets_);
 }
 
 void FaceAdjacency::add_crossings(const BoundaryCurves& curves, const Seam& piece, double spacing) {
@@ -78,13 +79,31 @@ std::optional<TangentFrame> FaceAdjacency::frame(const SheetPoint& at,
 
 std::optional<TangentFrame> FaceAdjacency::frame(const SheetPoint& at, const SurfaceDerivatives& s,
                                                  const Vec3& direction) const {
-    const Vec3 cross = s.du().cross(s.dv());
-    constexpr double beside_a_pole = 1e-3;
-    if (!(cross.length() > beside_a_pole * std::max(s.du().length2(), s.dv().length2())))
+    Vec3 z(0);
+    if (const auto normal = faces_[at.face].normal(s))
+        z = *normal;
+    else if (const SurfacePole* pole = pole_at(at.face, s.position()))
+        z = pole->normal;
+    else
         return std::nullopt;
-    const Vec3 z = cross.normalized() * faces_[at.face].sign();
     const Vec3 x = (direction - z * direction.dot(z)).normalized();
     return TangentFrame{s.position(), x, z.cross(x), z};
+}
+
+const SurfacePole* FaceAdjacency::pole_at(std::size_t face, const Vec3& position) const {
+    constexpr double close = 0.01; // mm
+    for (const std::size_t pole : poles_.of(face))
+        if ((poles_.at(pole).position - position).length() < close) return &poles_.at(pole);
+    return nullptr;
+}
+
+std::optional<SecondForm> FaceAdjacency::bend(const SheetPoint& at, const SurfaceDerivatives& there,
+                                              const TangentFrame& frame, double aside) const {
+    if (faces_[at.face].normal(there)) return second_form(there, frame.z, frame.x);
+    const auto beside = moved(frame, at, Vec2(aside, 0));
+    const auto s = beside ? evaluate(*beside, 2) : std::nullopt;
+    if (!s || !faces_[beside->face].normal(*s)) return std::nullopt;
+    return second_form(*s, frame.z, frame.x);
 }
 
 std::optional<SheetPoint> FaceAdjacency::moved(const TangentFrame& over, const SheetPoint& from,
@@ -138,6 +157,7 @@ std::optional<SheetPoint> FaceAdjacency::moved(const TangentFrame& over, const S
     const auto there = solved(over, from, to);
     if (there && faces_[from.face].has_material(*there)) return SheetPoint{from.face, *there};
     if (crossings_left == 0) return std::nullopt;
+    if (const auto across = across_pole(over, from, to, crossings_left)) return across;
     const Vec3 here = evaluate(from, 0)->position();
     constexpr double slope = 2; // a trace along the surface is longer than in the plane
     if (!has_crossing_near(from.face, here, slope * (to - flat(over.local(here))).length()))
@@ -148,6 +168,36 @@ std::optional<SheetPoint> FaceAdjacency::moved(const TangentFrame& over, const S
     const auto next = beyond(over, last, gone.length() < nowhere ? barred : no_index);
     if (!next) return std::nullopt;
     return moved(over, *next, to, from.face, crossings_left - 1);
+}
+
+std::optional<SheetPoint> FaceAdjacency::across_pole(const TangentFrame& over,
+                                                     const SheetPoint& from, const Vec2& to,
+                                                     int crossings_left) const {
+    const Vec2 begin = flat(over.local(evaluate(from, 0)->position())), way = to - begin;
+    for (const std::size_t index : poles_.of(from.face)) {
+        const SurfacePole& pole = poles_.at(index);
+        const Vec2 middle = flat(over.local(pole.position)), out = to - middle;
+        const double share = std::clamp((middle - begin).dot(way) / way.length2(), 0.0, 1.0);
+        if (!((begin + way * share - middle).length() < way.length() / 2)) continue;
+        constexpr double close = 1e-5; // mm
+        if (out.length() < close) return pole.spokes.front().begin;
+        const auto seen = [&](const SurfacePole::Spoke& spoke) {
+            return Vec2(spoke.way.dot(over.x), spoke.way.dot(over.y));
+        };
+        const auto cosine = [&](const SurfacePole::Spoke& spoke) {
+            return seen(spoke).dot(out) / seen(spoke).length();
+        };
+        const auto spoke =
+            std::max_element(pole.spokes.begin(), pole.spokes.end(),
+                             [&](const auto& a, const auto& b) { return cosine(a) < cosine(b); });
+        constexpr double most = 0.5; // of a span
+        const double steps = std::min(out.length() / seen(*spoke).length(),
+                                      most / std::max(spoke->step.length(), 1e-300));
+        const SheetPoint start{spoke->begin.face, spoke->begin.place + spoke->step * steps};
+        // The way on may cross one more seam, not the pole again.
+        if (auto at = moved(over, start, to, no_index, std::min(crossings_left - 1, 1))) return at;
+    }
+    return std::nullopt;
 }
 
 bool FaceAdjacency::has_crossing_near(std::size_t face, const Vec3& position, double reach) const {

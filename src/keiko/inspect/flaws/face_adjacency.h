@@ -1,7 +1,9 @@
 #pragma once
 
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/inspect/flaws/face_surface.h"
+#include "keiko/inspect/flaws/surface_poles.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include <map>
@@ -11,12 +13,6 @@
 #include <vector>
 
 namespace keiko {
-
-/// A place of one of several faces.
-struct SheetPoint {
-    std::size_t face = 0; ///< into FaceAdjacency
-    Vec2 place{0};        ///< of that FaceSurface
-};
 
 /// A plane that touches a surface, as frame for its surroundings. Unit vectors, world, mm.
 struct TangentFrame {
@@ -53,13 +49,18 @@ public:
     std::optional<SurfaceDerivatives> evaluate(const SheetPoint& at, int order) const {
         return faces_[at.face].evaluate_beyond(at.place, order);
     }
-    /// The plane at a place with x along `direction`, z outwards; nullopt at a pole.
+    /// The plane at a place with x along `direction`, z outwards; nullopt where the surface has no
+    /// normal, as at the tip of a cone.
     std::optional<TangentFrame> frame(const SheetPoint& at, const Vec3& direction) const;
     /// The plane at a place whose derivatives are known.
     std::optional<TangentFrame> frame(const SheetPoint& at, const SurfaceDerivatives& there,
                                       const Vec3& direction) const;
+    /// Second fundamental form in the plane at a place, whose derivatives to order 2 are known, by
+    /// the plane's normal. At a smooth pole it is taken `aside` mm further along x.
+    std::optional<SecondForm> bend(const SheetPoint& at, const SurfaceDerivatives& there,
+                                   const TangentFrame& frame, double aside) const;
     /// The place over (or under) the point (x, y) of a plane that a straight trace from `from`
-    /// reaches, over smooth seams; nullopt if material ends before.
+    /// reaches, over smooth seams and poles; nullopt if material ends before.
     std::optional<SheetPoint> moved(const TangentFrame& over, const SheetPoint& from,
                                     const Vec2& to) const;
     /// The place reached from the origin of the plane, where the derivatives to order 2 are known.
@@ -91,11 +92,18 @@ private:
     std::optional<SheetPoint> beyond(const TangentFrame& over, const SheetPoint& border,
                                      std::size_t barred) const;
 
+    /// The smooth pole of a place's face at a position; nullptr if there is none.
+    const SurfacePole* pole_at(std::size_t face, const Vec3& position) const;
+    /// The end of a trace that passes a pole of its face nearer than half its length.
+    std::optional<SheetPoint> across_pole(const TangentFrame& over, const SheetPoint& from,
+                                          const Vec2& to, int crossings_left) const;
+
     std::vector<FaceSurface> faces_;
     std::map<Key, std::size_t> index_;             ///< into faces_
     std::vector<std::vector<Crossing>> crossings_; ///< a face
     std::vector<double> crossing_steps_; ///< mm, a face: the largest distance between neighbours
     std::vector<std::size_t> sheets_;
+    SurfacePoles poles_;
 };
 
 } // namespace keiko

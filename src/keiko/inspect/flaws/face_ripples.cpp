@@ -13,71 +13,21 @@
 namespace keiko {
 namespace {
 
-/// A sample of a placed face.
-struct FaceSample {
-    Vec3 position{0}; ///< world, mm
-    /// 1/mm, x along the lines of constant v and of constant u; by the outward normal.
-    SecondForm bend_u, bend_v;
-    bool material = false;
-};
-
-/// A placed face over all its knot spans, sampled uniformly.
-class FaceGrid {
-public:
-    /// `spacing`: approximate distance between samples, mm.
-    FaceGrid(const FaceSurface& face, double spacing);
-
-    std::size_t columns() const { return u_.size(); } ///< along u
-    std::size_t rows() const { return v_.size(); }    ///< along v
-    const FaceSample& sample(std::size_t column, std::size_t row) const {
-        return samples_[row * u_.size() + column];
-    }
-    /// Place of a sample on the face.
-    Vec2 place(std::size_t column, std::size_t row) const { return {u_[column], v_[row]}; }
-
-private:
-    std::vector<double> u_, v_;       ///< of the samples
-    std::vector<FaceSample> samples_; ///< v outer
-};
+/// Number of equal parts of a span, each at most `spacing` long.
+double part_count(double length, double spacing) {
+    return std::max(std::ceil(length / spacing), 1.0);
+}
 
 /// Places in the middles of equal parts of each span, at most `spacing` apart.
 std::vector<double> spread(const std::vector<double>& lengths, double spacing) {
-    constexpr double most = 1000; // of one span
     std::vector<double> places;
     for (std::size_t span = 0; span < lengths.size(); ++span) {
-        const auto parts =
-            static_cast<std::size_t>(std::clamp(std::ceil(lengths[span] / spacing), 1.0, most));
+        const auto parts = static_cast<std::size_t>(part_count(lengths[span], spacing));
         for (std::size_t k = 0; k < parts; ++k)
             places.push_back(static_cast<double>(span) +
                              (static_cast<double>(k) + 0.5) / static_cast<double>(parts));
     }
     return places;
-}
-
-FaceSample sampled(const FaceSurface& face, const Vec2& place) {
-    FaceSample sample;
-    const auto s = face.evaluate(place, 2);
-    if (!s) return sample;
-    const Vec3 cross = s->du().cross(s->dv());
-    const double area = cross.length(), u2 = s->du().length2(), v2 = s->dv().length2();
-    constexpr double beside_a_pole = 1e-3;
-    if (!(area > beside_a_pole * std::max(u2, v2))) return sample;
-    const Vec3 normal = cross * (face.sign() / area);
-    sample.position = s->position();
-    sample.bend_u = second_form(*s, normal, s->du());
-    sample.bend_v = second_form(*s, normal, s->dv());
-    sample.material = true;
-    return sample;
-}
-
-FaceGrid::FaceGrid(const FaceSurface& face, double spacing)
-    : u_(spread(face.span_lengths_u(), spacing)), v_(spread(face.span_lengths_v(), spacing)) {
-    samples_.reserve(u_.size() * v_.size());
-    for (std::size_t row = 0; row < v_.size(); ++row) {
-        check_stop();
-        for (std::size_t column = 0; column < u_.size(); ++column)
-            samples_.push_back(sampled(face, place(column, row)));
-    }
 }
 
 /// Distance between samples as a share of the window's width.
@@ -95,9 +45,17 @@ public:
     RippleLine(const FaceAdjacency& faces, std::size_t face, bool along_u, double window)
         : faces_(faces), face_(face), along_u_(along_u), window_(window) {}
 
-    void add(const Vec2& place, const FaceSample& sample) {
-        own_.push_back(
-            {{face_, place}, sample.position, 0, along_u_ ? sample.bend_u : sample.bend_v});
+    /// Adds a place; false if it has no material or no normal.
+    bool add(const Vec2& place) {
+        const FaceSurface& face = faces_.face(face_);
+        const auto s = face.evaluate(place, 2);
+        const auto normal = s ? face.normal(*s) : std::nullopt;
+        if (!normal) return false;
+        own_.push_back({{face_, place},
+                        s->position(),
+                        0,
+                        second_form(*s, *normal, along_u_ ? s->du() : s->dv())});
+        return true;
     }
     bool empty() const { return own_.empty(); }
     void clear() { own_.clear(); }
@@ -172,27 +130,37 @@ private:
 
 } // namespace
 
+bool is_searchable(const FaceSurface& face, const WavinessLimit& limit) {
+    constexpr double most = 1e7; // some 10 seconds
+    const auto parts = [&](const std::vector<double>& lengths) {
+        double count = 2 * follow_share / sample_share; // beyond the ends of a line
+        for (const double length : lengths)
+            count += part_count(length, limit.window * sample_share);
+        return count;
+    };
+    return parts(face.span_lengths_u()) * parts(face.span_lengths_v()) <= most;
+}
+
 std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_t face,
                                           const WavinessLimit& limit) {
-    const FaceGrid grid(faces.face(face), limit.window * sample_share);
+    const double spacing = limit.window * sample_share;
+    const std::vector<double> u = spread(faces.face(face).span_lengths_u(), spacing);
+    const std::vector<double> v = spread(faces.face(face).span_lengths_v(), spacing);
     std::vector<FaceRipple> found;
     const auto search = [&](bool along_u) {
         RippleLine line(faces, face, along_u, limit.window);
-        const std::size_t lines = along_u ? grid.rows() : grid.columns();
-        const std::size_t count = along_u ? grid.columns() : grid.rows();
-        for (std::size_t l = 0; l < lines; ++l) {
+        const auto end_line = [&] {
+            if (line.empty()) return;
+            const std::vector<FaceRipple> more = line.ripples(limit.depth * ripple_share);
+            found.insert(found.end(), more.begin(), more.end());
             line.clear();
-            for (std::size_t k = 0; k <= count; ++k) {
-                const std::size_t column = along_u ? k : l, row = along_u ? l : k;
-                if (k < count && grid.sample(column, row).material) {
-                    line.add(grid.place(column, row), grid.sample(column, row));
-                    continue;
-                }
-                if (line.empty()) continue;
-                const std::vector<FaceRipple> more = line.ripples(limit.depth * ripple_share);
-                found.insert(found.end(), more.begin(), more.end());
-                line.clear();
+        };
+        for (const double across : along_u ? v : u) {
+            for (const double along : along_u ? u : v) {
+                check_stop();
+                if (!line.add(along_u ? Vec2(along, across) : Vec2(across, along))) end_line();
             }
+            end_line();
         }
     };
     search(true), search(false);

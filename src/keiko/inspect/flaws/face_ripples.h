@@ -65,6 +65,9 @@ struct FaceRipple {
     bool askew = false; ///< too wide along its line, and narrow enough only along `along`
 };
 
+/// True if a face is so small that its samples for a limit are at most 10 million.
+bool is_searchable(const FaceSurface& face, const WavinessLimit& limit);
+
 /// All ripples of a face: lines are followed over smooth seams, and up to borders.
 std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_t face,
                                           const WavinessLimit& limit);

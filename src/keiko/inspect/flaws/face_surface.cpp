@@ -1,5 +1,7 @@
 #include "keiko/inspect/flaws/face_surface.h"
 
+#include "keiko/geometry/bezier/differential_geometry.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,6 +43,16 @@ Vec2 extents(const PlacedPatch& patch, const BezierPatchView& view) {
         longest.y = std::max(longest.y, length);
     }
     return longest;
+}
+
+/// True if the control points from `first` on, `step` apart, are within `coincident` mm of it.
+bool is_point(const PlacedPatch& patch, int first, int step, int count, double coincident) {
+    const auto at = [&](int k) {
+        return euclidean(patch.points[static_cast<std::size_t>(first + k * step)]);
+    };
+    for (int k = 1; k < count; ++k)
+        if (!((at(k) - at(0)).length() <= coincident)) return false;
+    return true;
 }
 
 } // namespace
@@ -102,6 +114,11 @@ std::optional<SurfaceDerivatives> FaceSurface::evaluate(const Vec2& place, int o
     return evaluate_beyond(place, order);
 }
 
+std::optional<Vec3> FaceSurface::normal(const SurfaceDerivatives& there) const {
+    const Vec3 normal = there.du().cross(there.dv()).normalized() * sign_;
+    return reliable_curvatures(there, normal) ? std::optional(normal) : std::nullopt;
+}
+
 Vec2 FaceSurface::place_of(const Vec2& parameters) const {
     const std::size_t column = span_of(begins_u_, parameters.x);
     const std::size_t row = span_of(begins_v_, parameters.y);
@@ -110,6 +127,29 @@ Vec2 FaceSurface::place_of(const Vec2& parameters) const {
     if (index == no_index) return place;
     const Patch& patch = model_.patches[patches_[index].index];
     return place + Vec2(patch.map_u.to_patch(parameters.x), patch.map_v.to_patch(parameters.y));
+}
+
+std::vector<CollapsedSide> FaceSurface::collapsed_sides(double coincident) const {
+    std::vector<CollapsedSide> found;
+    const auto consider = [&](std::size_t column, std::size_t row, bool along_u, bool at_end) {
+        const std::uint32_t index = patch_in(column, row);
+        if (index == no_index) return;
+        const BezierPatchView view = model_.patch(patches_[index].index);
+        const int n = view.degree_u, m = view.degree_v, row_length = m + 1;
+        const int first = !at_end ? 0 : along_u ? m : n * row_length;
+        const int step = along_u ? row_length : 1, count = (along_u ? n : m) + 1;
+        if (!is_point(patches_[index], first, step, count, coincident)) return;
+        const Vec2 along = along_u ? Vec2(1, 0) : Vec2(0, 1);
+        const Vec2 across = Vec2(1) - along;
+        const Vec2 corner(static_cast<double>(column), static_cast<double>(row));
+        found.push_back(at_end ? CollapsedSide{corner + across, along, across * -1.0}
+                               : CollapsedSide{corner, along, across});
+    };
+    for (std::size_t column = 0; column < spans_u(); ++column)
+        consider(column, 0, true, false), consider(column, spans_v() - 1, true, true);
+    for (std::size_t row = 0; row < spans_v(); ++row)
+        consider(0, row, false, false), consider(spans_u() - 1, row, false, true);
+    return found;
 }
 
 std::vector<double> FaceSurface::span_lengths_u() const {

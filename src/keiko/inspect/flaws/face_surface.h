@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/placed_face.h"
 
@@ -7,6 +8,19 @@
 #include <vector>
 
 namespace keiko {
+
+/// A place of one of several faces.
+struct SheetPoint {
+    std::size_t face = 0; ///< into FaceAdjacency
+    Vec2 place{0};        ///< of that FaceSurface
+};
+
+/// A side of a knot span that is one point. Places along it are begin + t * along, 0 <= t <= 1.
+struct CollapsedSide {
+    Vec2 begin{0};
+    Vec2 along{0};
+    Vec2 inward{0}; ///< over the span to its other side
+};
 
 /// A face placed by an instance, over all its knot spans. Its places are (u, v): their whole parts
 /// count spans, the rest runs over one span from 0 to 1. Keeps a reference to the model.
@@ -24,13 +38,16 @@ public:
     bool has_material(const Vec2& place) const;
     /// Place of parameters of the face.
     Vec2 place_of(const Vec2& face_parameters) const;
-    /// -1 if the outward normal is -(du x dv), else 1.
-    double sign() const { return sign_; }
+    /// Outward unit normal by the derivatives at a place; nullopt at a pole and so close to it that
+    /// curvatures are rounding (reliable_curvatures).
+    std::optional<Vec3> normal(const SurfaceDerivatives& there) const;
 
     /// Number of knot spans along u.
     std::size_t spans_u() const { return begins_u_.size(); }
     /// Number of knot spans along v.
     std::size_t spans_v() const { return begins_v_.size(); }
+    /// Sides of the face, a span at a time, whose control points are within `coincident` mm.
+    std::vector<CollapsedSide> collapsed_sides(double coincident) const;
     /// Length of the longest row of control points along u of any patch, mm, in each span of u.
     std::vector<double> span_lengths_u() const;
     /// Length of the longest row of control points along v of any patch, mm, in each span of v.

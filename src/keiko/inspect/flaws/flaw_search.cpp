@@ -3,7 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/flaws/dent_depth.h"
 #include "keiko/inspect/flaws/face_ripples.h"
-#include "keiko/inspect/flaws/geodesic_trace.h"
+#include "keiko/inspect/flaws/wave_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +37,10 @@ struct PlacedFlaw {
     std::vector<Vec3> ripples{}; ///< world, mm: the places of all that show it
 };
 
+bool is_measured(const Flaw& flaw) {
+    return flaw.depth.bound <= form_share * flaw.depth.value;
+}
+
 class FlawMeasure {
 public:
     FlawMeasure(const FaceAdjacency& faces, const WavinessLimit& limit)
@@ -48,8 +52,8 @@ public:
         if (!to_and_fro(ripples))
             return limit_.waves_only ? std::nullopt : deepest_of(ripples, &FlawMeasure::dent);
         auto waves = deepest_of(ripples, &FlawMeasure::wave);
+        if (!waves) return without_two_waves(ripples);
         if (limit_.waves_only) return waves;
-        if (!waves) return deepest_of(ripples, &FlawMeasure::dent);
         auto deepest = dent(ripples.front());
         const bool dented = deepest && !is_form(*deepest) && is_no_wave(*deepest, *waves);
         return dented ? deepest : waves;
@@ -114,6 +118,26 @@ private:
                           found->at.face};
     }
 
+    /// Waves of which the surface holds less than two are undecided: they may be form.
+    std::optional<PlacedFlaw> narrow_wave(const FaceRipple& r) const {
+        const auto found = narrow_wave_section(faces_, r.at, r.along, r.depth > 0, r.width);
+        if (!found || found->length > widest_share * limit_.window ||
+            found->bound > form_share * found->depth)
+            return std::nullopt;
+        MeasuredValue value = depth(found->depth, found->bound, found->position);
+        value.verdict = std::min(value.verdict, Verdict::undecided);
+        return PlacedFlaw{{Flaw::Kind::waves, value, found->length, limit_.window}, found->at.face};
+    }
+
+    /// A dent that is measured, or else narrow waves.
+    std::optional<PlacedFlaw> without_two_waves(const std::vector<FaceRipple>& ripples) const {
+        std::optional<PlacedFlaw> dented;
+        if (!limit_.waves_only) dented = deepest_of(ripples, &FlawMeasure::dent);
+        if (dented && is_measured(dented->flaw)) return dented;
+        const auto narrow = deepest_of(ripples, &FlawMeasure::narrow_wave);
+        return narrow ? narrow : dented;
+    }
+
     std::optional<PlacedFlaw> dent(const FaceRipple& r) const {
         if (r.cut && r.width > widest_cut_share * limit_.window) return std::nullopt;
         const auto found = dent_depth(faces_, r.at, limit_.window / 2);
@@ -153,7 +177,8 @@ std::vector<FaceRipple> all_ripples(const FaceAdjacency& faces, const std::vecto
                                     const WavinessLimit& limit, const Job& job) {
     std::vector<std::vector<FaceRipple>> found(faces.size());
     parallel_for(found.size(), job, "ripples", [&](std::size_t i) {
-        if (searched[i]) found[i] = find_face_ripples(faces, i, limit);
+        if (searched[i] && is_searchable(faces.face(i), limit))
+            found[i] = find_face_ripples(faces, i, limit);
     });
     std::vector<FaceRipple> all;
     for (const std::vector<FaceRipple>& of_face : found)
@@ -180,8 +205,20 @@ std::vector<PlacedFlaw> flaws_in_window(const FaceAdjacency& faces,
     return flaws;
 }
 
-bool is_measured(const Flaw& flaw) {
-    return flaw.depth.bound <= form_share * flaw.depth.value;
+/// A face that is too large to be searched.
+std::optional<PlacedFlaw> unsearched(const FaceAdjacency& faces, std::size_t face,
+                                     const WavinessLimit& limit) {
+    const FaceSurface& surface = faces.face(face);
+    if (is_searchable(surface, limit)) return std::nullopt;
+    double length = 0, width = 0;
+    for (const double span : surface.span_lengths_u()) length += span;
+    for (const double span : surface.span_lengths_v()) width += span;
+    const Vec2 spans(static_cast<double>(surface.spans_u()),
+                     static_cast<double>(surface.spans_v()));
+    const auto place = surface.evaluate_beyond(spans / 2, 0);
+    const MeasuredValue none{
+        0, 0, limit.depth, place ? place->position() : Vec3(0), Verdict::undecided, false};
+    return PlacedFlaw{{Flaw::Kind::unsearched, none, std::max(length, width), limit.window}, face};
 }
 
 /// True if a flaw of a wider window appears in a narrower one too, anywhere on it. A far deeper
@@ -228,6 +265,9 @@ std::vector<std::vector<Flaw>> find_flaws(const SurfaceModel& model,
         for (const PlacedFlaw& flaw : flaws_in_window(faces, searched, limit, job))
             add(placed, flaw);
     std::vector<std::vector<Flaw>> flaws(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (const auto none = searched[i] ? unsearched(faces, i, limits.front()) : std::nullopt)
+            placed.push_back(*none);
     for (const PlacedFlaw& flaw : placed) flaws[flaw.face].push_back(flaw.flaw);
     for (std::vector<Flaw>& of_face : flaws)
         std::stable_sort(of_face.begin(), of_face.end(), [](const Flaw& a, const Flaw& b) {

@@ -12,17 +12,19 @@
 
 namespace KEIKO_API keiko {
 
-/// A dent, a bump or waves of a surface.
+/// A dent, a bump or waves of a surface, or that these are unknown.
 struct Flaw {
     /// Form of a flaw.
     enum class Kind {
-        dent, ///< below the form around it
-        bump, ///< above the form around it
-        waves ///< up and down along a line
+        dent,      ///< below the form around it
+        bump,      ///< above the form around it
+        waves,     ///< up and down along a line
+        unsearched ///< unknown: the face is too large to be searched
     };
     Kind kind = Kind::dent; ///< form of the flaw
     MeasuredValue depth;    ///< mm, deviation of the surface from the form around it
-    double width = 0;       ///< mm: between the largest opposite curvatures; of waves their length
+    double width = 0;       ///< mm: between the largest opposite curvatures; of waves their length;
+                            ///< of what is unsearched that of the face
     double window = 0;      ///< mm, of the limit that it is judged by
 };
 

@@ -2,8 +2,6 @@
 
 #include "keiko/base/job.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace keiko {
@@ -19,11 +17,14 @@ struct Walker {
 
 std::optional<Walker> standing(const FaceAdjacency& faces, const SheetPoint& at,
                                const SurfaceDerivatives& there, const Vec3& direction,
-                               const Vec3& upward) {
+                               const Vec3& upward, double step) {
     auto frame = faces.frame(at, there, direction);
     if (!frame) return std::nullopt;
     if (frame->z.dot(upward) < 0) frame->y *= -1, frame->z *= -1;
-    return Walker{at, there, *frame, second_form(there, frame->z, frame->x)};
+    constexpr double aside = 0.01; // of a step
+    const auto bend = faces.bend(at, there, *frame, aside * step);
+    if (!bend) return std::nullopt;
+    return Walker{at, there, *frame, *bend};
 }
 
 /// The arc of a circle, projected to its tangent.
@@ -37,7 +38,7 @@ std::optional<Walker> ahead(const FaceAdjacency& faces, const Walker& from, doub
     if (!s) return std::nullopt;
     const Vec3 chord = (s->position() - from.frame.origin).normalized();
     const Vec3& last = from.frame.x;
-    return standing(faces, *at, *s, chord * (2 * chord.dot(last)) - last, from.frame.z);
+    return standing(faces, *at, *s, chord * (2 * chord.dot(last)) - last, from.frame.z, step);
 }
 
 void add_border(const FaceAdjacency& faces, const Walker& from, double step,
@@ -52,117 +53,8 @@ void add_border(const FaceAdjacency& faces, const Walker& from, double step,
         if (next) last = next;
     }
     if (last)
-        points.push_back({last->at, last->frame.origin, points.back().length + near, last->bend});
-}
-
-constexpr double profile_reach = 2.5; ///< waves
-constexpr double profile_steps = 24;  ///< a wave
-constexpr std::size_t fewest_samples = 8;
-
-/// Numerov's method, of order 4, for w'' = k.
-std::vector<double> integrated(const std::vector<WalkPoint>& points, double step) {
-    std::vector<double> w(points.size(), 0);
-    const auto bend = [&](std::size_t i) { return points[i].bend.xx; };
-    for (std::size_t i = 1; i + 1 < w.size(); ++i)
-        w[i + 1] =
-            2 * w[i] - w[i - 1] + step * step / 12 * (bend(i - 1) + 10 * bend(i) + bend(i + 1));
-    return w;
-}
-
-/// A wave on one profile.
-struct Wave {
-    double depth = 0; ///< mm, upwards
-    double length = 0;
-    double crest = 0;  ///< mm along the profile
-    double middle = 0; ///< middle of the two waves by which it is measured
-};
-
-/// Depth by the fourth difference over two waves, which cancels a form up to its third derivative.
-double swing_at(const RoughnessProfile& profile, double middle, double length) {
-    const auto height = [&](double waves) { return profile.height(middle + waves * length); };
-    return (6 * height(0) - 4 * (height(0.5) + height(-0.5)) + height(1) + height(-1)) / 16;
-}
-
-/// A wave of this length with its crest at the given place. It is measured by the waves about the
-/// crest or, if the profile is too short, about the next places half a wave apart.
-std::optional<Wave> wave_at(const RoughnessProfile& profile, double crest, double length) {
-    for (const int shift : {0, 1, -1, 2, -2}) {
-        const double middle = crest + shift * length / 2;
-        if (!profile.holds(middle - length) || !profile.holds(middle + length)) continue;
-        const double swing = swing_at(profile, middle, length);
-        return Wave{shift % 2 == 0 ? swing : -swing, length, crest, middle};
-    }
-    return std::nullopt;
-}
-
-/// The deepest wave near a first guess.
-std::optional<Wave> deepest(const RoughnessProfile& profile, double side, double length) {
-    auto best = wave_at(profile, 0, length);
-    double step = 0.1;
-    constexpr int halvings = 7, most_rounds = 60;
-    for (int halved = 0, round = 0; best && halved < halvings && round < most_rounds; ++round) {
-        bool moved = false;
-        for (const Vec2& way : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
-            const double crest = best->crest + way.x * step * length;
-            if (!profile.holds(crest)) continue;
-            const auto wave = wave_at(profile, crest, best->length * (1 + way.y * step));
-            if (wave && wave->depth * side > best->depth * side) best = wave, moved = true;
-        }
-        if (!moved) step /= 2, ++halved;
-    }
-    return best;
-}
-
-/// A wave measured perpendicular to its form, which is the cubic that the fourth difference leaves
-/// out. The profile is laid out flat: its slope is an angle, which is larger than its sine, and its
-/// length is that of the trace up and down.
-struct Upright {
-    double depth = 0, length = 0; ///< mm
-};
-
-Upright upright(const RoughnessProfile& profile, double middle, double length) {
-    const double swing = swing_at(profile, middle, length);
-    const auto under = [&](int halves) { // the form under a crest or a trough
-        return profile.height(middle + halves * length / 2) - (halves % 2 == 0 ? swing : -swing);
-    };
-    const double odd = (under(1) - under(-1)) / 2,
-                 cubic = ((under(2) - under(-2)) / 2 - 2 * odd) / 6;
-    const double linear = odd - cubic, square = (under(1) + under(-1)) / 2 - under(0);
-    const auto above = [&](double halves) {
-        const double form = halves * (linear + halves * (square + halves * cubic));
-        return profile.height(middle + halves * length / 2) - form;
-    };
-    constexpr int steps = 24; // half a wave
-    const double step = length / 2 / steps;
-    std::array<double, 5> height{};
-    double rise = 0, ahead = 0;
-    for (int i = 0; i <= 4 * steps; ++i) {
-        if (i % steps == 0) height[static_cast<std::size_t>(i / steps)] = rise;
-        if (i == 4 * steps) break;
-        const double at = static_cast<double>(i) / steps - 2;
-        const double angle = (above(at + 1.0 / steps) - above(at)) / step;
-        rise += step * std::sin(angle), ahead += step * std::cos(angle);
-    }
-    return {(6 * height[2] - 4 * (height[1] + height[3]) + height[0] + height[4]) / 16, ahead / 2};
-}
-
-/// The start of a profile, and the wave found there.
-struct Found {
-    SheetPoint at;
-    double depth = 0, length = 0, bound = 0; ///< mm
-};
-
-std::optional<Found> found_from(const FaceAdjacency& faces, const SheetPoint& at, const Vec3& along,
-                                double side, double length) {
-    const auto profile = RoughnessProfile::through(faces, at, along, length);
-    if (!profile) return std::nullopt;
-    const auto wave = deepest(*profile, side, length);
-    if (!wave) return std::nullopt;
-    const double shorter = swing_at(*profile, wave->middle, 0.95 * wave->length);
-    const Upright stands = upright(*profile, wave->middle, wave->length);
-    return Found{profile->place(faces, wave->crest),
-                 std::copysign(stands.depth, wave->depth * side), stands.length,
-                 std::abs(std::abs(shorter) - std::abs(wave->depth))};
+        points.push_back(
+            {last->at, last->frame.origin, points.back().length + near, last->bend, last->frame.z});
 }
 
 } // namespace
@@ -173,10 +65,11 @@ GeodesicTrace walk_straight(const FaceAdjacency& faces, const SheetPoint& from,
     const auto start = faces.evaluate(from, 2);
     const auto frame = start ? faces.frame(from, *start, direction) : std::nullopt;
     if (!frame) return walk;
-    auto walker = standing(faces, from, *start, direction, frame->z);
+    auto walker = standing(faces, from, *start, direction, frame->z, step);
     for (int i = 0; walker; ++i) {
         check_stop();
-        walk.points.push_back({walker->at, walker->frame.origin, i * step, walker->bend});
+        walk.points.push_back(
+            {walker->at, walker->frame.origin, i * step, walker->bend, walker->frame.z});
         if ((i + 1) * step > reach) return walk;
         const auto next = ahead(faces, *walker, step);
         if (!next && to_border) add_border(faces, *walker, step, walk.points);
@@ -184,78 +77,6 @@ GeodesicTrace walk_straight(const FaceAdjacency& faces, const SheetPoint& from,
     }
     walk.ended = true;
     return walk;
-}
-
-std::optional<RoughnessProfile> RoughnessProfile::through(const FaceAdjacency& faces,
-                                                          const SheetPoint& at, const Vec3& along,
-                                                          double length) {
-    RoughnessProfile profile;
-    profile.step_ = length / profile_steps;
-    const auto walk = [&](double side) {
-        return walk_straight(faces, at, along * side, profile.step_, profile_reach * length, false)
-            .points;
-    };
-    const std::vector<WalkPoint> behind = walk(-1), ahead = walk(1);
-    if (behind.size() + ahead.size() < fewest_samples) return std::nullopt;
-    profile.points_.assign(behind.rbegin(), behind.rend() - 1);
-    profile.points_.insert(profile.points_.end(), ahead.begin(), ahead.end());
-    profile.begin_ = -static_cast<double>(behind.size() - 1) * profile.step_;
-    profile.heights_ = integrated(profile.points_, profile.step_);
-    return profile;
-}
-
-bool RoughnessProfile::holds(double s) const {
-    constexpr double rounding = 1e-9;
-    const double at = (s - begin_) / step_;
-    return at >= -rounding && at <= static_cast<double>(heights_.size() - 1) + rounding;
-}
-
-/// The cubic through the four samples around.
-double RoughnessProfile::height(double s) const {
-    const double at = (s - begin_) / step_;
-    const auto last = static_cast<std::ptrdiff_t>(heights_.size()) - 4;
-    const auto first =
-        std::clamp(static_cast<std::ptrdiff_t>(std::floor(at)) - 1, std::ptrdiff_t{0}, last);
-    const double t = at - static_cast<double>(first);
-    const auto w = [&](int k) { return heights_[static_cast<std::size_t>(first + k)]; };
-    return (w(3) * t * (t - 1) * (t - 2) - w(0) * (t - 1) * (t - 2) * (t - 3)) / 6 +
-           (w(1) * t * (t - 2) * (t - 3) - w(2) * t * (t - 1) * (t - 3)) / 2;
-}
-
-SheetPoint RoughnessProfile::place(const FaceAdjacency& faces, double s) const {
-    const double last = static_cast<double>(points_.size() - 1);
-    const double number = std::clamp(std::round((s - begin_) / step_), 0.0, last);
-    const auto i = static_cast<std::size_t>(number);
-    const WalkPoint &before = points_[i == 0 ? 0 : i - 1], &here = points_[i];
-    const WalkPoint& behind = points_[std::min(i + 1, points_.size() - 1)];
-    const auto frame = faces.frame(here.at, behind.position - before.position);
-    if (!frame) return here.at;
-    return faces.moved(*frame, here.at, Vec2(s - begin_ - number * step_, 0)).value_or(here.at);
-}
-
-std::optional<WaveSection> wave_section(const FaceAdjacency& faces, const SheetPoint& at,
-                                        const Vec3& along, bool crest, double length) {
-    const double side = crest ? 1 : -1;
-    auto best = found_from(faces, at, along, side, length);
-    if (!best) return std::nullopt;
-    double step = best->length / 8;
-    constexpr int halvings = 5, most_rounds = 15;
-    for (int halved = 0, round = 0; halved < halvings && round < most_rounds; ++round) {
-        const auto frame = faces.frame(best->at, along);
-        if (!frame) break;
-        bool moved = false;
-        for (const double way : {step, -step}) {
-            const auto next = faces.moved(*frame, best->at, Vec2(0, way));
-            if (!next) continue;
-            const auto there = found_from(faces, *next, along, side, best->length);
-            if (!there || there->depth <= best->depth) continue;
-            best = there, moved = true;
-            break;
-        }
-        if (!moved) step /= 2, ++halved;
-    }
-    return WaveSection{best->depth, best->length, best->bound, best->at,
-                       faces.evaluate(best->at, 0)->position()};
 }
 
 } // namespace keiko

@@ -3,7 +3,6 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/inspect/flaws/face_adjacency.h"
 
-#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -14,6 +13,7 @@ struct WalkPoint {
     Vec3 position{0};  ///< world, mm
     double length = 0; ///< mm traced
     SecondForm bend;   ///< 1/mm, x along the trace, by the normal of the first place
+    Vec3 normal{0};    ///< unit, continued from the first place
 };
 
 /// A straight trace over smooth faces.
@@ -24,47 +24,8 @@ struct GeodesicTrace {
 
 /// Approximate geodesic from a place in a direction, in steps of `step` mm along the surface, as
 /// far as `reach` mm. If material ends before, with `to_border`, a last shorter step leads to its
-/// border. No points at a pole.
+/// border. No points where the surface has no normal.
 GeodesicTrace walk_straight(const FaceAdjacency& faces, const SheetPoint& from,
                             const Vec3& direction, double step, double reach, bool to_border);
-
-/// Profile of a surface along a geodesic trace, laid out flat. Its height has the surface's
-/// curvature as second derivative by the trace's length. A uniform curvature of the form is
-/// therefore a parabola, however strong, and the angle of a seam does not count.
-class RoughnessProfile {
-public:
-    /// Two and a half waves of `length` mm to either side of a place, less where material ends;
-    /// nullopt at a pole.
-    static std::optional<RoughnessProfile> through(const FaceAdjacency& faces, const SheetPoint& at,
-                                                   const Vec3& along, double length);
-
-    /// True if the profile reaches `s`: mm from the place, positive along the trace.
-    bool holds(double s) const;
-    /// mm, outwards; up to a straight line that is fixed for the whole profile.
-    double height(double s) const;
-    /// Place of the surface.
-    SheetPoint place(const FaceAdjacency& faces, double s) const;
-
-private:
-    std::vector<WalkPoint> points_; ///< uniformly spaced by `step_`
-    std::vector<double> heights_;
-    double begin_ = 0, step_ = 1;
-};
-
-/// A wave on a straight trace over a surface.
-struct WaveSection {
-    double depth = 0;  ///< mm, from the form to a crest or a trough
-    double length = 0; ///< mm, of the wave
-    double bound = 0;  ///< mm: change of `depth` with a length that is 5 % shorter
-    SheetPoint at;     ///< of the crest or trough
-    Vec3 position{0};  ///< of `at`, world, mm
-};
-
-/// Measures the wave of about `length` mm whose crest (`crest`) or trough lies at about `at`, along
-/// a straight trace in the direction `along`. It uses fourth differences over two waves around the
-/// place or, where the surface ends, to one side (docs/theory/inspection.md). nullopt if there are
-/// less than two waves.
-std::optional<WaveSection> wave_section(const FaceAdjacency& faces, const SheetPoint& at,
-                                        const Vec3& along, bool crest, double length);
 
 } // namespace keiko

@@ -10,15 +10,25 @@ namespace {
 constexpr std::size_t n = ReferenceForm::term_count;
 using Terms = std::array<double, n>;
 
-/// 1; x, y; xx, xy, yy; ...
-Terms powers(double x, double y) {
-    Terms t;
+constexpr std::size_t line_terms = 5;
+
+/// 1; x, y; xx, xy, yy; ... On a line 1, x, xx, ...
+Terms powers(double x, double y, BaseDomain domain) {
+    Terms t{1};
+    if (domain == BaseDomain::line) {
+        for (std::size_t k = 1; k < line_terms; ++k) t[k] = t[k - 1] * x;
+        return t;
+    }
     std::size_t index = 0;
     std::array<double, 5> px{1}, py{1};
     for (std::size_t k = 1; k < 5; ++k) px[k] = px[k - 1] * x, py[k] = py[k - 1] * y;
     for (std::size_t degree = 0; degree < 5; ++degree)
         for (std::size_t k = 0; k <= degree; ++k) t[index++] = px[degree - k] * py[k];
     return t;
+}
+
+std::size_t count_of(BaseDomain domain) {
+    return domain == BaseDomain::line ? line_terms : n;
 }
 
 double dot(const Terms& a, const Terms& b) {
@@ -28,7 +38,8 @@ double dot(const Terms& a, const Terms& b) {
 }
 
 /// The principal curvature at the origin that is larger in size, over a disc of radius 1.
-double largest_bend(const Terms& t) {
+double largest_bend(const Terms& t, BaseDomain domain) {
+    if (domain == BaseDomain::line) return 2 * t[2];
     const double mean = t[3] + t[5], half = std::hypot(t[3] - t[5], t[4]);
     return mean + std::copysign(half, mean);
 }
@@ -36,15 +47,18 @@ double largest_bend(const Terms& t) {
 /// Weighted least squares by Cholesky's decomposition of the normal equations.
 class Fit {
 public:
+    /// `count`: of the terms, the others are 0.
+    explicit Fit(std::size_t count) : count_(count) {}
+
     void add(const Terms& t, double z, double weight) {
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t i = 0; i < count_; ++i) {
             for (std::size_t j = 0; j <= i; ++j) matrix_[i][j] += weight * t[i] * t[j];
             right_[i] += weight * t[i] * z;
         }
     }
     /// Decomposes the matrix, after which nothing can be added; false where it is singular.
     bool decompose() {
-        for (std::size_t i = 0; i < n; ++i)
+        for (std::size_t i = 0; i < count_; ++i)
             for (std::size_t j = 0; j <= i; ++j) {
                 double sum = matrix_[i][j];
                 for (std::size_t k = 0; k < j; ++k) sum -= matrix_[i][k] * matrix_[j][k];
@@ -61,17 +75,18 @@ public:
 
 private:
     Terms solved(Terms t) const {
-        for (std::size_t i = 0; i < n; ++i) {
+        for (std::size_t i = 0; i < count_; ++i) {
             for (std::size_t k = 0; k < i; ++k) t[i] -= matrix_[i][k] * t[k];
             t[i] /= matrix_[i][i];
         }
-        for (std::size_t i = n; i-- > 0;) {
-            for (std::size_t k = i + 1; k < n; ++k) t[i] -= matrix_[k][i] * t[k];
+        for (std::size_t i = count_; i-- > 0;) {
+            for (std::size_t k = i + 1; k < count_; ++k) t[i] -= matrix_[k][i] * t[k];
             t[i] /= matrix_[i][i];
         }
         return t;
     }
 
+    std::size_t count_;
     std::array<Terms, n> matrix_{}; ///< the lower half
     Terms right_{};
 };
@@ -90,7 +105,8 @@ double median(std::vector<double> values) {
 
 class Reweighted {
 public:
-    explicit Reweighted(std::vector<Place> places) : places_(std::move(places)) {}
+    Reweighted(std::vector<Place> places, BaseDomain domain)
+        : places_(std::move(places)), count_(count_of(domain)) {}
 
     /// Terms by least squares.
     std::optional<Terms> all() const {
@@ -161,7 +177,7 @@ private:
     /// The weighted fit; nullopt if it is singular.
     template <class WeightOf>
     std::optional<Fit> weighted(const WeightOf& weight_of) const {
-        Fit fit;
+        Fit fit(count_);
         for (const Place& place : places_)
             fit.add(place.terms, place.z, place.weight * weight_of(place));
         if (!fit.decompose()) return std::nullopt;
@@ -181,29 +197,30 @@ private:
     }
 
     std::vector<Place> places_;
+    std::size_t count_;
 };
 
 } // namespace
 
 std::optional<ReferenceForm> ReferenceForm::fit(std::span<const FormHeight> heights, double reach,
-                                                BaseKind kind) {
+                                                BaseKind kind, BaseDomain domain) {
     std::vector<Place> places;
     for (const FormHeight& h : heights)
         if (std::hypot(h.x, h.y) < reach)
-            places.push_back({powers(h.x / reach, h.y / reach), h.z, h.weight});
-    if (places.size() < 2 * n) return std::nullopt;
+            places.push_back({powers(h.x / reach, h.y / reach, domain), h.z, h.weight});
+    if (places.size() < 2 * count_of(domain)) return std::nullopt;
     ReferenceForm base;
-    base.reach_ = reach;
+    base.reach_ = reach, base.domain_ = domain;
     constexpr int rounds = 4; // levelled heights give the curvature more accurately
     for (int i = 0; kind == BaseKind::bent && i < rounds; ++i) {
         std::vector<Place> levelled = places;
         for (Place& place : levelled) place.z = base.levelled(place.z);
-        const auto rough = Reweighted(std::move(levelled)).all();
+        const auto rough = Reweighted(std::move(levelled), domain).all();
         if (!rough) return std::nullopt;
-        base.bend_ = largest_bend(*rough) / (reach * reach);
+        base.bend_ = largest_bend(*rough, domain) / (reach * reach);
     }
     for (Place& place : places) place.z = base.levelled(place.z);
-    const Reweighted fit(std::move(places));
+    const Reweighted fit(std::move(places), domain);
     const auto terms = fit.majority();
     const auto bound = terms ? fit.origin_bound(*terms) : std::nullopt;
     if (!bound) return std::nullopt;
@@ -212,7 +229,7 @@ std::optional<ReferenceForm> ReferenceForm::fit(std::span<const FormHeight> heig
 }
 
 double ReferenceForm::offset(const FormHeight& h) const {
-    return levelled(h.z) - dot(terms_, powers(h.x / reach_, h.y / reach_));
+    return levelled(h.z) - dot(terms_, powers(h.x / reach_, h.y / reach_, domain_));
 }
 
 } // namespace keiko

@@ -1,5 +1,6 @@
 #include "keiko/inspect/openings/near_edges.h"
 
+#include "keiko/base/job.h"
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/geometry/model/closest_point.h"
@@ -68,15 +69,20 @@ std::vector<NearEdges> stretches_of(const FreeEdge& edge, const Chords& chords, 
         if (current.length > least) found.push_back(current);
         current = {};
     };
-    for (double way = 0; way <= edge.length(); way += step) {
-        const FreePlace place = edge.at(way);
-        const std::optional<FreePlace> other = chords.nearest(place, join);
-        if (!other) {
+    double radius = join;
+    for (double number = 0; number * step <= edge.length();) {
+        check_stop();
+        const FreePlace place = edge.at(number * step);
+        const std::optional<FreePlace> other = chords.nearest(place, radius);
+        const double distance = other ? (place.position - other->position).length() : radius;
+        if (!other || distance > join) {
             close();
+            // No edge is within `join` before that much of the way.
+            number += std::max(std::floor((distance - join) / step), 1.0);
+            radius = other ? std::max(distance, join) : 2 * radius;
             continue;
         }
-        current.length += step;
-        const double distance = (place.position - other->position).length();
+        current.length += step, radius = join, number += 1;
         if (current.length > step && distance <= current.distance) continue;
         current.a = place, current.b = *other, current.distance = distance;
     }

@@ -85,7 +85,17 @@ Json curvature(const FaceCurvature& c) {
 }
 
 std::string_view name_of(Flaw::Kind kind) {
-    return kind == Flaw::Kind::waves ? "waves" : kind == Flaw::Kind::dent ? "dent" : "bump";
+    switch (kind) {
+        case Flaw::Kind::dent:
+            return "dent";
+        case Flaw::Kind::bump:
+            return "bump";
+        case Flaw::Kind::waves:
+            return "waves";
+        case Flaw::Kind::unsearched:
+            return "unsearched";
+    }
+    return "";
 }
 
 Json flaw_json(const Flaw& flaw) {
