@@ -6,6 +6,7 @@
 #include "keiko/inspect/seams/seam_measure.h"
 #include "keiko/scene/view.h"
 #include "keiko/workflow/open_scene.h"
+#include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/version.h"
 
 #include <numeric>

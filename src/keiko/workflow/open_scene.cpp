@@ -1,76 +1,12 @@
 #include "keiko/workflow/open_scene.h"
 
-#include "keiko/base/error.h"
-#include "keiko/files/scene/material_file.h"
-#include "keiko/files/scene/scene_file.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
-#include "keiko/scene/animation.h"
+#include "keiko/workflow/painted_body.h"
 
-#include <fnmatch.h>
-
-#include <algorithm>
 #include <array>
 
 namespace keiko {
-namespace {
-
-/// cd/m2 behind models that no scene file places: trims and outlines of dark paint stand out.
-constexpr double studio_grey = 60;
-
-bool names(const PaintOverride& paint, const Face& face) {
-    return std::any_of(paint.faces.begin(), paint.faces.end(), [&](const std::string& pattern) {
-        return fnmatch(pattern.c_str(), face.name.c_str(), 0) == 0;
-    });
-}
-
-const Material& paint_of(const Face& face, const ModelSpec& part) {
-    const Material* paint = &part.material;
-    for (const PaintOverride& other : part.overrides)
-        if (names(other, face)) paint = &other.material;
-    return *paint;
-}
-
-/// An override that paints nothing is a misspelt name.
-void require_matches(const SurfaceModel& model, const ModelSpec& part) {
-    for (const PaintOverride& paint : part.overrides)
-        if (std::none_of(model.faces.begin(), model.faces.end(),
-                         [&](const Face& face) { return names(paint, face); }))
-            throw Error(part.file.string(), "override",
-                        "no face has a name like '" + paint.faces.front() + "'");
-}
-
-} // namespace
-
-SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const std::string& name,
-                  double frame) {
-    const Material material = named_material(name);
-    for (const auto& input : inputs)
-        if (input.extension() == ".toml") {
-            if (inputs.size() > 1)
-                throw Error(input.string(), "", "a scene file stands alone, without other models");
-            return at_frame(read_scene(input), frame);
-        }
-    SceneSpec spec;
-    spec.background = Rgb(studio_grey);
-    for (const auto& input : inputs) spec.models.push_back({.file = input, .material = material});
-    return spec;
-}
-
-PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const Job& job) {
-    std::vector<SurfaceModel> models;
-    std::vector<Material> materials;
-    for (const ModelSpec& part : spec.models) {
-        SurfaceModel model = load_model(part.file, options, job);
-        const Affine placed = part.transform.affine();
-        for (Instance& instance : model.instances) instance.transform = placed * instance.transform;
-        for (const Face& face : model.faces) materials.push_back(paint_of(face, part));
-        require_matches(model, part);
-        models.push_back(std::move(model));
-    }
-    return {merge(models), std::move(materials)};
-}
-
 namespace {
 
 SurfaceModel on_ground(const SurfaceModel& body, const Box3& bounds, double z) {

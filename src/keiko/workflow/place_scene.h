@@ -2,8 +2,8 @@
 
 #include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/placement/place_lamps.h"
 #include "keiko/placement/best_view.h"
+#include "keiko/placement/place_lamps.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/symmetry.h"
 #include "keiko/workflow/choose_views.h"

@@ -1,4 +1,4 @@
-#include "keiko/inspect/basics/line_field.h"
+#include "keiko/inspect/basics/field_model.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/random.h"

@@ -46,7 +46,7 @@ TEST(AxisParallelRays, GoThroughACubeWithZerosOfEitherSign) {
                     }
 }
 
-/// Nearly parallel rays of one packet, of which some miss the ball around the scene: those have no
+/// Nearly parallel rays of one packet. Some miss the ball around the scene: those have no
 /// start in it, and no processor may trace them.
 TEST(CoherentPackets, HoldRaysThatMissTheScene) {
     const Tracer tracer(cube());

@@ -1,7 +1,7 @@
 #include "keiko/inspect/basics/line_cells.h"
 
 #include "keiko/base/job.h"
-#include "keiko/inspect/basics/line_field.h"
+#include "keiko/inspect/basics/field_model.h"
 #include "keiko/inspect/basics/patch_box.h"
 
 #include <algorithm>

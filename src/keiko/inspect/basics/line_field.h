@@ -1,8 +1,6 @@
 #pragma once
 
 #include "keiko/base/export.h"
-#include "keiko/inspect/basics/patch_box.h"
-#include "keiko/inspect/basics/patch_model.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/jet.h"
 #include "keiko/scene/camera.h"
@@ -117,45 +115,6 @@ private:
     LineEye eye_;
     CPlaneFrame plane_;
     Vec3 towards_lamps_; ///< unit normal of the C-plane, from the body to it
-};
-
-/// The field of lamps over a box of a patch, as Taylor models of the box's local parameters x and
-/// y, from -1 to 1. Unlike interval bounds they keep what cancels in the reflection, so that boxes
-/// can be large.
-class FieldModel {
-public:
-    /// `shift`: level from which those below are counted; a near one keeps bounds tight. Keeps a
-    /// reference to the field.
-    FieldModel(const PatchBox& box, const LineField& field, double shift);
-
-    /// False only if no ray of the box runs to the C-plane.
-    bool may_face_plane() const;
-    /// False only if the level, counted from the shift, is nowhere in the box.
-    bool may_hold(double level) const { return may_vanish(values_.residual(level)); }
-    /// False only if the surface has a normal everywhere in the box.
-    bool may_be_singular() const;
-    /// The field with its slopes by x and y.
-    LineRatio<Jet<TaylorModel>> sloped() const { return ratio<Jet<TaylorModel>>(); }
-
-private:
-    /// A function over the box: its value, or its value and slopes.
-    template <class T>
-    T of(const TaylorModel& f, const TaylorModel& x, const TaylorModel& y) const;
-    template <class T>
-    Triple<T> point(const HomogeneousModel& f, const HomogeneousModel& x,
-                    const HomogeneousModel& y) const {
-        return {of<T>(f.p.x, x.p.x, y.p.x), of<T>(f.p.y, x.p.y, y.p.y), of<T>(f.p.z, x.p.z, y.p.z)};
-    }
-    template <class T>
-    Triple<T> normal() const;
-    template <class T>
-    LineRatio<T> ratio() const;
-
-    const LineField& field_;
-    double shift_;
-    bool rational_;
-    PatchModel patch_;
-    LineRatio<TaylorModel> values_;
 };
 
 } // namespace keiko

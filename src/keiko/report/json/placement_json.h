@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/placement/placement.h"
 #include "keiko/placement/best_view.h"
+#include "keiko/placement/placement.h"
 
 #include <span>
 #include <string>
