@@ -81,7 +81,7 @@ std::vector<PolarChart> charts() {
             {100, 3, false, false, true}};
 }
 
-/// What a spline is lower at its pole than without the dent.
+/// Depth of the spline at its pole below its twin without the dent.
 double depth_at_pole(double depth, const RoundDent& dent) {
     return depth * (4 + 2 * dent.at(polar_step)) / 6;
 }

@@ -24,7 +24,7 @@ enum class BaseKind {
     bent ///< z - b z² / 2, with the larger curvature b at the origin: exact for spheres, cylinders
 };
 
-/// Where the heights of a ReferenceForm lie.
+/// Domains of the heights of a ReferenceForm.
 enum class BaseDomain {
     disc, ///< around the origin
     line  ///< on the x axis; their y does not count

@@ -118,7 +118,7 @@ private:
                           found->at.face};
     }
 
-    /// Waves of which the surface holds less than two are undecided: they may be form.
+    /// Waves on a surface too narrow for two of them are undecided: they may be form.
     std::optional<PlacedFlaw> narrow_wave(const FaceRipple& r) const {
         const auto found = narrow_wave_section(faces_, r.at, r.along, r.depth > 0, r.width);
         if (!found || found->length > widest_share * limit_.window ||

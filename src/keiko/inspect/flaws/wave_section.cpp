@@ -54,7 +54,7 @@ std::optional<Wave> wave_at(const RoughnessProfile& profile, double crest, doubl
     return std::nullopt;
 }
 
-/// The same where less than two waves are.
+/// A wave measured by one and a half waves, for a profile too short for two.
 std::optional<Wave> narrow_wave_at(const RoughnessProfile& profile, double crest, double length) {
     for (const int shift : {1, -1, 3, -3}) {
         const double middle = crest + shift * length / 4;
@@ -138,7 +138,7 @@ std::optional<Found> found_from(const FaceAdjacency& faces, const SheetPoint& at
                  std::abs(std::abs(shorter) - std::abs(wave->depth))};
 }
 
-/// What a form adds to a third difference if its bend changes by as much as it is.
+/// Part of a third difference that a form makes if its bend changes by as much as it is.
 double bend_at(const RoughnessProfile& profile, double middle, double length) {
     const auto pair = [&](double waves) {
         return profile.height(middle + waves * length) + profile.height(middle - waves * length);

@@ -12,9 +12,9 @@ namespace keiko {
 /// therefore a parabola, however strong, and the angle of a seam does not count.
 class RoughnessProfile {
 public:
-    /// Two and a half waves of `length` mm to either side of a place, less where material ends or
-    /// the surface has turned by a right angle, as around a tube;
-    /// nullopt where the surface has no normal.
+    /// Two and a half waves of `length` mm to either side of a place. It is shorter where material
+    /// ends or the surface has turned by a right angle, as around a tube. nullopt where the surface
+    /// has no normal.
     static std::optional<RoughnessProfile> through(const FaceAdjacency& faces, const SheetPoint& at,
                                                    const Vec3& along, double length);
 
