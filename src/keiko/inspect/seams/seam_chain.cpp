@@ -33,8 +33,8 @@ struct Ends {
     }
 };
 
-/// Where a curve from parameter t to its end `stop` first is `length` mm from a place; nullopt if
-/// it is nowhere. Sampled in eighths.
+/// The first place of a curve, from parameter t to its end `stop`, that is `length` mm from a
+/// given one; nullopt if none is. Sampled in eighths.
 std::optional<Vec3> leaves(const SurfaceCurve& curve, double t, double stop, const Vec3& from,
                            double length) {
     constexpr int steps = 8, halvings = 30;
