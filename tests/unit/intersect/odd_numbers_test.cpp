@@ -52,7 +52,7 @@ TEST(CoherentPackets, HoldRaysThatMissTheScene) {
     const Tracer tracer(cube());
     std::vector<Ray> rays;
     for (int i = 0; i < 64; ++i)
-        rays.push_back(ray_through(Vec3(4.0 + 2 * (i % 16), 4, -700), Vec3(1e-3 * i, 0, 1)));
+        rays.push_back(ray_through(Vec3(4.0 + 0.5 * (i % 16), 4, -700), Vec3(1e-3 * i, 0, 1)));
     const auto hits = tracer.nearest(rays);
     std::size_t met = 0;
     for (std::size_t i = 0; i < rays.size(); ++i) {
