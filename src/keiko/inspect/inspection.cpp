@@ -13,13 +13,18 @@
 namespace keiko {
 namespace {
 
+/// True if what does not pass as measured passes without what is accepted.
+bool passes_as_accepted(Verdict measured, Verdict left) {
+    return left == Verdict::pass && left < measured;
+}
+
 /// Counts a seam by the verdict that it has without what is accepted, `left`.
 void count(const MeasuredSeam& seam, Verdict left, SeamCounts& counts) {
     if (seam.scrap) {
         ++counts.scraps;
         return;
     }
-    if (left < seam.verdict && left == Verdict::pass) {
+    if (passes_as_accepted(seam.verdict, left)) {
         ++counts.accepted;
         return;
     }
@@ -155,12 +160,12 @@ Verdict recount(Inspection& inspection) {
         const MeasuredSeam& seam = inspection.seams[i];
         const Verdict left = seams[i].left_of(seam.verdict);
         count(seam, left, inspection.counts);
-        if (left < seam.verdict && left == Verdict::pass) inspection.accepted_seams.push_back(i);
+        if (passes_as_accepted(seam.verdict, left)) inspection.accepted_seams.push_back(i);
         worst = std::max(worst, left);
     }
     for (std::uint32_t i = 0; i < faces.size(); ++i) {
         const Verdict measured = inspection.faces[i].verdict, left = faces[i].left_of(measured);
-        const bool accepted = left < measured && left == Verdict::pass;
+        const bool accepted = passes_as_accepted(measured, left);
         ++(accepted ? inspection.face_counts.accepted : count_of(left, inspection.face_counts));
         if (accepted) inspection.accepted_faces.push_back(i);
         worst = std::max(worst, left);

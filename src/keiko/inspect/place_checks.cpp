@@ -5,28 +5,39 @@
 #include "keiko/inspect/seams/narrow_faces.h"
 
 #include <algorithm>
-#include <iterator>
+#include <span>
 #include <stdexcept>
 
 namespace keiko {
+namespace {
+
+/// How messages word the measure of a code.
+struct CodeWording {
+    std::string_view code;
+    const char* unit;
+    Wording wording;
+};
+
+/// A judged check in the wording of its code, which must be one of `wordings`; `of` names these.
+Check judged_by(std::span<const CodeWording> wordings, const char* of, std::string_view code,
+                const MeasuredValue& worst) {
+    const auto found = std::find_if(wordings.begin(), wordings.end(),
+                                    [&](const CodeWording& w) { return w.code == code; });
+    if (found == wordings.end())
+        throw std::out_of_range("no criterion of " + std::string(of) + " " + std::string(code));
+    return judged_check(code, found->unit, worst, found->wording);
+}
+
+} // namespace
 
 Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::size_t lines,
                      std::size_t failing) {
-    struct LineWording {
-        std::string_view code;
-        const char* unit;
-        Wording wording;
-    };
-    static constexpr LineWording wordings[] = {
+    static constexpr CodeWording wordings[] = {
         {"KEIKO-LINE-JUMP", "mm", {"the jump of a line", " mm"}},
         {"KEIKO-LINE-TURN", "deg", {"the turn of a line", " degrees"}},
         {"KEIKO-LINE-KINK", "deg", {"the kink of a line", " degrees"}},
         {"KEIKO-LINE-BEND", "1/mm", {"the change of a line's curvature", " /mm"}}};
-    const auto found = std::find_if(std::begin(wordings), std::end(wordings),
-                                    [&](const LineWording& w) { return w.code == code; });
-    if (found == std::end(wordings))
-        throw std::out_of_range("no criterion of lines " + std::string(code));
-    Check check = judged_check(code, found->unit, worst, found->wording);
+    Check check = judged_by(wordings, "lines", code, worst);
     check.message += "; of " + std::to_string(lines) + (lines == 1 ? " line " : " lines ") +
                      std::to_string(failing) + " not within it";
     return check;
@@ -34,12 +45,7 @@ Check check_of_lines(std::string_view code, const MeasuredValue& worst, std::siz
 
 Check check_of_structure(std::string_view code, const std::optional<MeasuredValue>& worst,
                          const char* reason) {
-    struct StructureWording {
-        std::string_view code;
-        const char* unit;
-        Wording wording;
-    };
-    static constexpr StructureWording wordings[] = {
+    static constexpr CodeWording wordings[] = {
         {"G-SU-HD", "1", {"the degree", ""}},
         {"KEIKO-SPANS", "1", {"the number of spans", ""}},
         {"G-SU-IK", "mm", {"the narrowest knot span", " mm"}},
@@ -49,11 +55,7 @@ Check check_of_structure(std::string_view code, const std::optional<MeasuredValu
         {"G-CU-TI", "mm", {"the shortest edge of the face", " mm"}},
         {"G-FA-TI", "mm", {"the size of the face", " mm"}}};
     if (!worst) return unjudged_check(code, reason);
-    const auto found = std::find_if(std::begin(wordings), std::end(wordings),
-                                    [&](const StructureWording& w) { return w.code == code; });
-    if (found == std::end(wordings))
-        throw std::out_of_range("no criterion of structure " + std::string(code));
-    return judged_check(code, found->unit, *worst, found->wording);
+    return judged_by(wordings, "structure", code, *worst);
 }
 
 Check check_of_symmetry(const MeasuredValue& worst, const std::string& plane) {

@@ -8,8 +8,6 @@
 #include "keiko/workflow/version.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 #include <map>
 
 namespace keiko {
@@ -183,15 +181,6 @@ Regression merge_regressions(std::span<const fs::path> folders, const fs::path& 
 namespace fs = std::filesystem;
 namespace {
 
-std::string time_now() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-    return text.data();
-}
-
 std::string picture_change(const PictureDifference& picture) {
     if (!picture.film) return picture.view + ": " + picture.problem;
     std::string text = picture.view + ": ";
@@ -260,8 +249,9 @@ std::vector<AcceptedBaseline> update_baselines(const RegressOptions& options,
     const FolderLock baselines_lock(baselines);
     std::vector<AcceptedBaseline> accepted;
     for (std::size_t i = 0; i < fixtures.size(); ++i)
-        accepted.push_back(accept(fixtures[i], candidates[i], baselines / fixtures[i].name,
-                                  {time_now(), by, reason, "keiko " + version(), {}}));
+        accepted.push_back(
+            accept(fixtures[i], candidates[i], baselines / fixtures[i].name,
+                   {utc_now("%Y-%m-%dT%H:%M:%SZ"), by, reason, "keiko " + version(), {}}));
     return accepted;
 }
 

@@ -3,10 +3,9 @@
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
 #include "keiko/report/content/acceptance_texts.h"
+#include "keiko/workflow/version.h"
 
 #include <algorithm>
-#include <array>
-#include <ctime>
 
 namespace keiko {
 namespace {
@@ -38,12 +37,7 @@ void add(Acceptance entry, const std::string& today, const std::string& file,
 } // namespace
 
 std::string date_today() {
-    const std::time_t now = std::time(nullptr);
-    std::tm utc{};
-    gmtime_r(&now, &utc);
-    std::array<char, 32> text{};
-    std::strftime(text.data(), text.size(), "%Y-%m-%d", &utc);
-    return text.data();
+    return utc_now("%Y-%m-%d");
 }
 
 AcceptanceList read_acceptances(const std::filesystem::path& file, std::string today) {

@@ -7,6 +7,9 @@
 #include "keiko/import/worker/load_model.h"
 #include "keiko/intersect/kernels/sub_patch_kernels.h"
 
+#include <array>
+#include <ctime>
+
 namespace keiko {
 namespace fs = std::filesystem;
 namespace {
@@ -28,6 +31,15 @@ std::vector<fs::path> files_of(const fs::path& input) {
 
 std::string version() {
     return KEIKO_VERSION;
+}
+
+std::string utc_now(const char* format) {
+    const std::time_t now = std::time(nullptr);
+    std::tm utc{};
+    gmtime_r(&now, &utc);
+    std::array<char, 32> text{};
+    std::strftime(text.data(), text.size(), format, &utc);
+    return text.data();
 }
 
 std::string input_key(std::span<const fs::path> inputs, const fs::path& folder,

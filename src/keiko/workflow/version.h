@@ -13,6 +13,9 @@ namespace KEIKO_API keiko {
 /// "0.1.0"
 std::string version();
 
+/// The time of the clock in UTC, up to 31 characters; `format` is that of strftime.
+std::string utc_now(const char* format);
+
 /// SHA-256 of everything that a run depends on: the build of Keiko, the processor's instruction
 /// set, the program that imports models, `settings`, and the input files. Files named by TOML files
 /// are among them. Each counts under its path from `folder`.

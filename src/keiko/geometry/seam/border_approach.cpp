@@ -28,9 +28,11 @@ struct Chord {
     }
 };
 
+constexpr double right_angle = std::numbers::pi / 2;
+
 /// Radians; twice the turn of a polyline, as it is an estimate.
 double most_turn(const CurvePolyline& line) {
-    return std::min(2 * line.turn, std::numbers::pi / 2);
+    return std::min(2 * line.turn, right_angle);
 }
 
 /// True if a part of the chord `of` lies beside the chord `to`, lengthened by `slack` mm at both
@@ -51,13 +53,26 @@ public:
           b_(b),
           join_(join),
           deviation_(a.polyline.deviation + b.polyline.deviation),
-          reach_(join + deviation_) {}
+          reach_(join + deviation_),
+          slack_a_(slack(a.polyline)),
+          slack_b_(slack(b.polyline)),
+          sin_between_(std::sin(std::min(
+              parallel_borders + (most_turn(a.polyline) + most_turn(b.polyline)), right_angle))) {}
 
     BorderApproach run() const;
 
 private:
-    std::optional<SegmentApproach> approach(const Chord& a, const Chord& b) const;
-    bool may_face(const Chord& a, const Chord& b) const;
+    std::optional<SegmentApproach> approach(const Chord& a, const Box3& around_a,
+                                            const Chord& b) const;
+    /// True if one of the chords has a place that is square to one of the other.
+    bool may_face(const Chord& a, const Chord& b) const {
+        return lies_beside(a, b, slack_b_) || lies_beside(b, a, slack_a_);
+    }
+    /// mm beyond the ends of a border's chords in which places may be square to the border.
+    double slack(const CurvePolyline& line) const {
+        constexpr double rounding = 1e-5; // mm
+        return deviation_ + rounding + reach_ * std::sin(most_turn(line));
+    }
     bool may_run_alike(const Chord& a, const Chord& b, double share) const;
     bool run_alike_at(const BorderPlace& a, const BorderPlace& b) const {
         return (a.place.position - b.place.position).length() <= reach_ && run_alike(a, b, join_);
@@ -65,7 +80,9 @@ private:
 
     const Border &a_, &b_;
     double join_, deviation_;
-    double reach_; ///< mm, between chords of borders that are within `join_`
+    double reach_;             ///< mm, between chords of borders that are within `join_`
+    double slack_a_, slack_b_; ///< slack() of either border
+    double sin_between_;       ///< sine of the angle between chords of borders that run alike
 };
 
 BorderApproach Approach::run() const {
@@ -76,8 +93,9 @@ BorderApproach Approach::run() const {
     for (std::size_t i = 0; i + 1 < a.points.size(); ++i) {
         const Chord chord{a_, i};
         if (!chord.box().overlaps(box)) continue;
+        const Box3 around = chord.box().padded(reach_);
         for (std::size_t j = 0; j + 1 < b.points.size(); ++j) {
-            const auto nearest = approach(chord, {b_, j});
+            const auto nearest = approach(chord, around, {b_, j});
             if (!nearest) continue;
             if (close.empty() || close.back().begin != a.t[i])
                 close.push_back({a.t[i], a.t[i + 1]});
@@ -90,28 +108,19 @@ BorderApproach Approach::run() const {
     return result;
 }
 
-/// Closest approach of two chords; nullopt if the borders do not face each other there.
-std::optional<SegmentApproach> Approach::approach(const Chord& a, const Chord& b) const {
-    if (!a.box().padded(reach_).overlaps(b.box()) || !may_face(a, b)) return std::nullopt;
+/// Closest approach of two chords; nullopt if the borders do not face each other there. `around_a`:
+/// the box of what is within reach of `a`.
+std::optional<SegmentApproach> Approach::approach(const Chord& a, const Box3& around_a,
+                                                  const Chord& b) const {
+    if (!around_a.overlaps(b.box()) || !may_face(a, b)) return std::nullopt;
     const SegmentApproach nearest = segment_approach(a.from(), a.to(), b.from(), b.to());
     if (nearest.distance > reach_ || !may_run_alike(a, b, nearest.share)) return std::nullopt;
     return nearest;
 }
 
-/// True if one of the chords has a place that is square to one of the other.
-bool Approach::may_face(const Chord& a, const Chord& b) const {
-    constexpr double rounding = 1e-5; // mm
-    const auto slack = [&](const CurvePolyline& line) {
-        return deviation_ + rounding + reach_ * std::sin(most_turn(line));
-    };
-    return lies_beside(a, b, slack(b_.polyline)) || lies_beside(b, a, slack(a_.polyline));
-}
-
 /// True if the borders may run alike along the chords: where these are nearest and at their ends.
 bool Approach::may_run_alike(const Chord& a, const Chord& b, double share) const {
-    const double turn = most_turn(a_.polyline) + most_turn(b_.polyline);
-    const double between = std::min(parallel_borders + turn, std::numbers::pi / 2);
-    if (nearly_parallel(a.along(), b.along(), std::sin(between))) return true;
+    if (nearly_parallel(a.along(), b.along(), sin_between_)) return true;
     for (const double x : {share, 0.0, 1.0}) {
         const BorderPlace on = a.at(x);
         if (run_alike_at(on, b.nearest(on.place.position))) return true;

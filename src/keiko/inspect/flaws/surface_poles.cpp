@@ -1,10 +1,10 @@
 #include "keiko/inspect/flaws/surface_poles.h"
 
 #include "keiko/base/job.h"
+#include "keiko/base/units.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace keiko {
@@ -63,7 +63,7 @@ std::optional<SurfacePole> smooth_pole(std::span<const PoleSide* const> sides) {
         for (const NormalSpoke& s : side->spokes) sum += s.normal, pole.spokes.push_back(s.spoke);
     pole.normal = sum.normalized();
     constexpr double smooth = 0.1 / 2; // degrees: half the angle of a seam of class-a-outer
-    const double least = std::cos(smooth * std::numbers::pi / 180);
+    const double least = std::cos(degrees_to_radians(smooth));
     for (const PoleSide* side : sides)
         for (const NormalSpoke& s : side->spokes)
             if (!(s.normal.dot(pole.normal) >= least)) return std::nullopt;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <span>
 
 namespace keiko {
 namespace {
@@ -16,26 +17,20 @@ constexpr double most_weight_ratio = 1e4;
 /// 1e-10 of its length.
 constexpr double most_border_ratio = 1e6;
 
-/// Largest weight over the smallest.
-double weight_ratio(const BezierPatchView& patch) {
-    const auto lighter = [](const Vec4& a, const Vec4& b) { return a.w < b.w; };
-    const auto [least, most] =
-        std::minmax_element(patch.points.begin(), patch.points.end(), lighter);
-    return most->w / least->w;
-}
-
-/// Largest weight over the smallest.
-double weight_ratio(const BezierCurveView& curve) {
-    const auto lighter = [](const Vec3& a, const Vec3& b) { return a.z < b.z; };
-    const auto [least, most] =
-        std::minmax_element(curve.points.begin(), curve.points.end(), lighter);
-    return most->z / least->z;
+/// Largest weight over the smallest; `weight` is that coordinate of a homogeneous point.
+template <class Point>
+double weight_ratio(std::span<const Point> points, double Point::*weight) {
+    const auto [least, most] = std::minmax_element(
+        points.begin(), points.end(),
+        [weight](const Point& a, const Point& b) { return a.*weight < b.*weight; });
+    return (*most).*weight / (*least).*weight;
 }
 
 bool has_uneven_border(const SurfaceModel& model, const Face& face) {
     for (const TrimLoop& loop : model.loops_of(face))
         for (std::uint32_t c = 0; c < loop.curve_count; ++c)
-            if (weight_ratio(model.trim_curve(loop.first_curve + c)) > most_border_ratio)
+            if (weight_ratio(model.trim_curve(loop.first_curve + c).points, &Vec3::z) >
+                most_border_ratio)
                 return true;
     return false;
 }
@@ -56,7 +51,8 @@ public:
             patches_.emplace_back(model, face_.first_patch + i, model.instances[instance].transform,
                                   limits.negligible);
             bounds.extend(patches_.back().box());
-            if (weight_ratio(model.patch(face_.first_patch + i)) > most_weight_ratio)
+            if (weight_ratio(model.patch(face_.first_patch + i).points, &Vec4::w) >
+                most_weight_ratio)
                 add({SingularPlace::Kind::uneven, 0, 0, patches_.back().box().center()});
         }
         if (has_uneven_border(model, face_))
