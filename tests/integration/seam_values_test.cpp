@@ -1,4 +1,5 @@
 #include "keiko/base/units.h"
+#include "keiko/geometry/seam/border_run.h"
 #include "keiko/import/worker/load_model.h"
 #include "keiko/inspect/seams/seam_probe.h"
 
@@ -31,17 +32,18 @@ gp_Dir direction(const Vec3& v) {
 struct PeerSide {
     Handle(Geom_Surface) surface;
     Vec2 uv;
-    gp_Dir inward;     ///< across the seam
+    Vec3 across{0};    ///< unit, into the face and square to its border
+    Vec3 normal{0};    ///< unit
     double rounding{}; ///< 1/mm: of curvature, where the surface is as it is here
 
     gp_Pnt position() const { return surface->Value(uv.x, uv.y); }
-    /// 1/mm, of the section square to the seam by the second fundamental form of OpenCASCADE's
+    /// 1/mm, of the section along `across` by the second fundamental form of OpenCASCADE's
     /// derivatives (its own directions of principal curvature are good to 1e-8 only); positive
     /// towards `normal`.
     double curvature(const gp_Dir& normal) const {
         GeomLProp_SLProps s(surface, uv.x, uv.y, 2, 1e-12);
         const double turn = s.Normal().Dot(normal) < 0 ? -1 : 1;
-        const gp_Vec n(s.Normal()), along(inward);
+        const gp_Vec n(s.Normal()), along(direction(across));
         const double e = s.D1U().SquareMagnitude(), f = s.D1U() * s.D1V(),
                      g = s.D1V().SquareMagnitude(), determinant = e * g - f * f;
         const double u = along * s.D1U(), v = along * s.D1V();
@@ -83,7 +85,7 @@ private:
         const auto frame = curves.curve(border).frame(t);
         if (!frame) return {};
         const Patch& patch = model_.patches[curves.curve(border).patch_at(t)];
-        PeerSide side{surfaces_[border.face], uv, direction(frame->inward),
+        PeerSide side{surfaces_[border.face], uv, frame->inward, frame->normal,
                       rounding(*frame, std::max(patch.degree_u, patch.degree_v))};
         const gp_Pnt there = side.position();
         const Vec3 off = Vec3(there.X(), there.Y(), there.Z()) - frame->position;
@@ -99,9 +101,22 @@ private:
         return roundings * frame.position.length() * degree * degree / (edge * edge);
     }
 
+    /// Sections square to the mean of the borders' directions, where these diverge by more than
+    /// parallel_borders, as SeamPoint has it.
+    static void share_direction(PeerSide& a, PeerSide& b) {
+        const Vec3 along_a = a.normal.cross(a.across), along_b = b.normal.cross(b.across);
+        if (along_a.cross(along_b).length() <= std::sin(parallel_borders)) return;
+        const Vec3 mean = b.across - a.across;
+        for (PeerSide* side : {&a, &b}) {
+            const Vec3 in_face = mean - side->normal * mean.dot(side->normal);
+            if (in_face.length() > mean.length() / 2) side->across = in_face.normalized();
+        }
+    }
+
     void compare(const BoundaryCurves& curves, const Seam& seam, const SeamPoint& ours) {
-        const auto a = side(curves, seam.a, ours.t), b = side(curves, seam.b, ours.s);
+        auto a = side(curves, seam.a, ours.t), b = side(curves, seam.b, ours.s);
         if (!a || !b || !ours.angle || *ours.angle > 60) return;
+        share_direction(*a, *b);
         const double wide = 10; // mm: gaps are compared, not judged
         LocalAnalysis_SurfaceContinuity peer(a->surface, a->uv.x, a->uv.y, b->surface, b->uv.x,
                                              b->uv.y, GeomAbs_G1, 1e-9, wide, wide, wide,

@@ -14,9 +14,8 @@ namespace KEIKO_API keiko {
 /// run-out, and a scrap as a scrap. Findings that are accepted do not count; a stretch that would
 /// pass without them counts as accepted.
 struct SeamCounts {
-    /// Number of each.
-    std::size_t fail = 0, undecided = 0, pass = 0, creases = 0, run_outs = 0, scraps = 0,
-                accepted = 0;
+    std::size_t fail = 0, undecided = 0, pass = 0;                   ///< number of each
+    std::size_t creases = 0, run_outs = 0, scraps = 0, accepted = 0; ///< number of each
 
     bool operator==(const SeamCounts&) const = default;
 };

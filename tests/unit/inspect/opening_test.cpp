@@ -48,8 +48,9 @@ TEST(Openings, OrGapsOfASeamThatFailAreSmallNotches) {
         for (const double deep : {0.1, 0.3, 0.6, 1.0}) {
             const double half = deep / std::tan(degrees_to_radians(flank));
             const SurfaceModel model = notched_model({{50 + half, 0}, {50, -deep}, {50 - half, 0}});
-            if (openings_of(model).empty())
+            if (openings_of(model).empty()) {
                 EXPECT_EQ(inspect(model).verdict, Verdict::fail) << flank << ", " << deep << " mm";
+            }
         }
 }
 
