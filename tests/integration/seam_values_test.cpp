@@ -39,10 +39,10 @@ struct PeerSide {
     gp_Pnt position() const { return surface->Value(uv.x, uv.y); }
     /// 1/mm, of the section along `across` by the second fundamental form of OpenCASCADE's
     /// derivatives (its own directions of principal curvature are good to 1e-8 only); positive
-    /// towards `normal`.
-    double curvature(const gp_Dir& normal) const {
+    /// towards `up`.
+    double curvature(const gp_Dir& up) const {
         GeomLProp_SLProps s(surface, uv.x, uv.y, 2, 1e-12);
-        const double turn = s.Normal().Dot(normal) < 0 ? -1 : 1;
+        const double turn = s.Normal().Dot(up) < 0 ? -1 : 1;
         const gp_Vec n(s.Normal()), along(direction(across));
         const double e = s.D1U().SquareMagnitude(), f = s.D1U() * s.D1V(),
                      g = s.D1V().SquareMagnitude(), determinant = e * g - f * f;
