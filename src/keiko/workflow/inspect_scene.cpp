@@ -58,13 +58,30 @@ void add_lines(Report& report, const Scene& scene, const InspectResult& result,
             picture_of_lines(views[i].name, with_lines(result.films[i].second, *report.lines, i)));
 }
 
-/// The worst stretches that fail or are undecided.
-std::vector<std::uint32_t> profiled_seams(const Inspection& inspection) {
+/// The stretches that the first screen shows, then the worst that fail or are undecided.
+std::vector<std::uint32_t> profiled_seams(const Report& report) {
+    const Inspection& inspection = report.inspection;
     std::vector<std::uint32_t> seams;
-    for (const std::uint32_t seam : worst_seams(inspection, inspection.seams.size()))
-        if (inspection.seams[seam].verdict != Verdict::pass && seams.size() < most_profiles)
+    const auto add = [&](std::uint32_t seam) {
+        if (seams.size() < most_profiles && inspection.seams[seam].verdict != Verdict::pass &&
+            std::find(seams.begin(), seams.end(), seam) == seams.end())
             seams.push_back(seam);
+    };
+    for (const ShownItem& item : shown_items(report))
+        if (item.seam != no_index) add(item.seam);
+    for (const std::uint32_t seam : worst_seams(inspection, inspection.seams.size())) add(seam);
     return seams;
+}
+
+/// The order of the faults, and the pictures with their markers.
+void add_triage(Report& report, const Scene& scene, const InspectResult& result,
+                std::span<const NamedView> views, const Job& job) {
+    report.triage = triage(scene.model, scene.tracer, whole_inspection(report), job);
+    report.profiles = profiles_of(scene.model, report.inspection, profiled_seams(report), job);
+    const std::vector<ShownItem> shown = shown_items(report);
+    for (std::size_t i = 0; i < views.size(); ++i)
+        report.pictures.push_back(report_picture(views[i].name, result.films[i].second,
+                                                 markers_in(scene, shown, views[i].camera)));
 }
 
 PictureOptions with_look_layers(PictureOptions options) {
@@ -104,18 +121,14 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     check_symmetry(scene.model, result.report.inspection, job);
     accept_findings(result.report.inspection, options.acceptances);
     result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
-    result.report.profiles = profiles_of(scene.model, result.report.inspection,
-                                         profiled_seams(result.report.inspection), job);
     const PictureOptions picture = with_look_layers(options.picture);
-    for (const NamedView& view : views) {
-        Film film = render_view(scene, result.rig, view.camera, picture, job);
-        result.report.pictures.push_back(report_picture(
-            view.name, film, markers_in(scene, result.report.inspection, view.camera)));
-        result.films.emplace_back(view.name, std::move(film));
-    }
+    for (const NamedView& view : views)
+        result.films.emplace_back(view.name,
+                                  render_view(scene, result.rig, view.camera, picture, job));
     result.report.curvature_pictures =
         curvature_pictures(views, result.films, result.report.inspection);
     add_lines(result.report, scene, result, options, views, job);
+    add_triage(result.report, scene, result, views, job);
     if (has_curves(options.combs)) {
         result.combs = combs_of(scene.model, options.combs, job);
         result.report.combs = result.combs->pictures;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -65,12 +66,14 @@ public:
     explicit FaceFindings(const Inspection& inspection) : shown_(inspection.faces.size()) {}
 
     void add(const std::vector<Check>& checks, std::vector<Finding>& all) {
+        for (const Check& check : checks)
+            if (check.face != no_index) add(check.face, check.worst.place, all);
+    }
+    void add(std::uint32_t face, const Vec3& place, std::vector<Finding>& all) {
         constexpr std::size_t most = 10;
-        for (const Check& check : checks) {
-            if (check.face == no_index || shown_[check.face] || count_ == most) continue;
-            shown_[check.face] = true, ++count_;
-            all.push_back({CloseUp::Of::face, check.face, check.worst.place});
-        }
+        if (shown_[face] || count_ == most) return;
+        shown_[face] = true, ++count_;
+        all.push_back({CloseUp::Of::face, face, place});
     }
 
 private:
@@ -78,16 +81,33 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The worst seams, the worst of the seams, faces and crossings that do not pass, and faces that
-/// deserve a look.
-std::vector<Finding> worst_findings(const Report& report) {
-    constexpr std::size_t most_seams = 20, most_crossings = 10;
+/// The stretches that the first screen shows, then the worst that do not pass.
+std::vector<Finding> seam_findings(const Report& report) {
+    constexpr std::size_t most = 20;
     const Inspection& inspection = report.inspection;
     std::vector<Finding> all;
-    for (const std::uint32_t seam : worst_seams(inspection, most_seams))
-        if (all.size() < worst_seam_count || inspection.seams[seam].verdict != Verdict::pass)
-            all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
+    std::vector<bool> is_shown(inspection.seams.size());
+    const auto add = [&](std::uint32_t seam) {
+        if (is_shown[seam] || all.size() == most) return;
+        is_shown[seam] = true;
+        all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
+    };
+    for (const ShownItem& item : shown_items(report))
+        if (item.seam != no_index) add(item.seam);
+    for (const std::uint32_t seam : worst_seams(inspection, most))
+        if (inspection.seams[seam].verdict != Verdict::pass) add(seam);
+    return all;
+}
+
+/// What the first screen shows, the worst of the seams, faces and crossings that do not pass, and
+/// faces that deserve a look.
+std::vector<Finding> worst_findings(const Report& report) {
+    constexpr std::size_t most_crossings = 10;
+    const Inspection& inspection = report.inspection;
+    std::vector<Finding> all = seam_findings(report);
     FaceFindings faces(inspection);
+    for (const ShownItem& item : shown_items(report))
+        if (item.face != no_index) faces.add(item.face, item.place, all);
     faces.add(inspection.findings, all), faces.add(inspection.looks, all);
     if (!report.lines) return all;
     std::uint32_t rank = 0;
@@ -163,6 +183,25 @@ Image with_inflections(Image picture, const Film& film, const Inspection& inspec
     return with_overlay(std::move(picture), overlay);
 }
 
+/// The place nearest to a pixel at which a marker covers no other: there, or one of rings about it.
+Vec2 free_place(const Vec2& pixel, const std::vector<PictureMarker>& markers) {
+    constexpr double size = 26; // pixels
+    constexpr int directions = 8, rings = 4;
+    const auto is_free = [&](const Vec2& at) {
+        return std::none_of(markers.begin(), markers.end(), [&](const PictureMarker& other) {
+            return std::hypot(at.x - other.x, at.y - other.y) < size;
+        });
+    };
+    if (is_free(pixel)) return pixel;
+    for (int ring = 1; ring <= rings; ++ring)
+        for (int i = 0; i < directions; ++i) {
+            const double angle = 2 * std::numbers::pi * i / directions;
+            const Vec2 at = pixel + Vec2(std::cos(angle), std::sin(angle)) * (ring * size);
+            if (is_free(at)) return at;
+        }
+    return pixel;
+}
+
 ReportPicture picture_of(const std::string& view, const std::string& kind, const Image& image) {
     return {.title = view + ", " + kind,
             .caption = "",
@@ -175,16 +214,14 @@ ReportPicture picture_of(const std::string& view, const std::string& kind, const
 
 } // namespace
 
-std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
+std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownItem> items,
                                       const Camera& camera) {
     std::vector<PictureMarker> markers;
-    int rank = 0;
-    for (const std::uint32_t index : worst_seams(inspection, worst_seam_count)) {
-        ++rank;
-        const Vec3 place = worst_place(inspection.seams[index]);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Vec3& place = items[i].place;
         if (!seen_at(scene, camera, place)) continue;
-        const Vec2 pixel = *project(camera, place);
-        markers.push_back({rank, pixel.x, pixel.y});
+        const Vec2 pixel = free_place(*project(camera, place), markers);
+        markers.push_back({static_cast<int>(i + 1), pixel.x, pixel.y});
     }
     return markers;
 }

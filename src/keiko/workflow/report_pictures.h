@@ -8,9 +8,9 @@
 
 namespace keiko {
 
-/// Markers of the worst seams of an inspection in a view. Each has the seam's rank, for each worst
-/// place that is in the picture and not hidden by the body.
-std::vector<PictureMarker> markers_in(const Scene& scene, const Inspection& inspection,
+/// Markers of what the first screen shows, in a view: the number of each item whose place is in the
+/// picture and not hidden by the body. A marker that would cover another one stands beside it.
+std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownItem> items,
                                       const Camera& camera);
 
 /// The display picture of a film for the report, which draws the markers itself.
@@ -20,8 +20,8 @@ ReportPicture report_picture(const std::string& title, const Film& film,
 /// The display picture of a film with the markers drawn into it.
 Image marked_image(const Film& film, const std::vector<PictureMarker>& markers);
 
-/// Close-up pictures of the places of the worst seams, and of the worst seams, faces and crossings
-/// of lines that do not pass. Each is from the view that shows it most squarely; places that no
+/// Close-up pictures of what the first screen shows, and of the worst seams, faces and crossings of
+/// lines that do not pass. Each is from the view that shows it most squarely; places that no
 /// view shows have none.
 std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
                                std::span<const NamedView> views, const PictureOptions& options,

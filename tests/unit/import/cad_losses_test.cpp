@@ -261,14 +261,30 @@ INSTANTIATE_TEST_SUITE_P(Each, CadLostBounds,
                          [](const auto& tested) { return std::string(tested.param); });
 
 struct CadLossesOfIges : CadLosses, testing::WithParamInterface<int> {
-    /// A box as trimmed surfaces (0) or as a solid (1). Its first surface is no entity any more.
-    SurfaceModel damaged_box() {
-        const auto path = folder.path() / "box.igs";
+    /// A file of a shape as trimmed surfaces (0) or as a solid (1).
+    std::filesystem::path written(const TopoDS_Shape& shape) {
+        const auto path = folder.path() / "shape.igs";
         IGESControl_Writer writer("MM", GetParam());
-        writer.AddShape(box());
+        writer.AddShape(shape);
         writer.ComputeModel();
         EXPECT_TRUE(writer.Write(path.c_str()));
-        return edited(path, [](std::string& text) {
+        return path;
+    }
+
+    /// Where the parameters of each entity of a type begin.
+    static std::vector<std::size_t> parameters_of(const std::string& iges,
+                                                  const std::string& type) {
+        std::vector<std::size_t> places;
+        const std::string begin = "\n" + type + ",";
+        for (std::size_t at = iges.find(begin); at != std::string::npos;
+             at = iges.find(begin, at + 1))
+            places.push_back(at + 1);
+        return places;
+    }
+
+    /// A box whose first surface is no entity any more.
+    SurfaceModel damaged_box() {
+        return edited(written(box()), [](std::string& text) {
             std::size_t at = std::string::npos;
             for (const char* surface : {"\n128,", "\n108,", "\n190,"})
                 at = std::min(at, text.find(surface));
@@ -280,6 +296,24 @@ struct CadLossesOfIges : CadLosses, testing::WithParamInterface<int> {
 
 TEST_P(CadLossesOfIges, AFaceWithoutItsSurface) {
     expect(damaged_box(), 5, 1, " gave no face");
+}
+
+/// Whatever entity of curves or loops is unknown, no face has fewer trim loops in silence.
+TEST_P(CadLossesOfIges, AFaceWithoutOneOfItsLoops) {
+    const auto path = written(bored_box());
+    const std::string text = read_file(path);
+    const std::size_t loops = load_model(path).trim_loops.size();
+    ASSERT_EQ(loops, 9u);
+    int lost = 0;
+    for (const char* type : {"100", "102", "110", "120", "126", "142", "504", "508"})
+        for (const std::size_t at : parameters_of(text, type)) {
+            SCOPED_TRACE(type);
+            const SurfaceModel model =
+                edited(path, [at](std::string& damaged) { damaged.replace(at, 2, "XX"); });
+            EXPECT_TRUE(model.trim_loops.size() == loops || !model.lost_faces.empty());
+            if (!model.lost_faces.empty()) ++lost;
+        }
+    EXPECT_GT(lost, 10);
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CadLossesOfIges, testing::Values(0, 1));

@@ -53,6 +53,11 @@ public:
     std::uint32_t patch_at(double t) const;
     /// Highest degree of that patch, in either parameter.
     int degree_at(double t) const;
+    /// True for two of one trim curve, placed by one instance.
+    bool is_same(const SurfaceCurve& other) const {
+        return p_curve_.points.data() == other.p_curve_.points.data() &&
+               transform_ == other.transform_;
+    }
     /// Number of patches through which it may run.
     int patch_count() const { return 1 + grid_->lines_through(hull_bounds(p_curve_)); }
     /// Parameters between `begin` and `end`, begin < end, at which it passes from patch to patch,

@@ -35,13 +35,15 @@ LoopWalk::LoopWalk(const LoopPlace& from, bool forward)
     : line_(*from.line),
       from_(from.position),
       last_(from.position),
-      next_(forward ? from.chord + 1 : from.chord),
+      next_(forward ? (from.chord + 1) % from.line->size() : from.chord),
       forward_(forward) {}
 
 std::optional<Vec3> LoopWalk::leave(double radius) {
+    const std::size_t last = line_.size() - 1;
     for (; passed_ <= line_.size(); ++passed_) {
-        const Vec3& next = line_[next_ % line_.size()];
-        if ((next - from_).length() >= radius) {
+        const Vec3& next = line_[next_];
+        const Vec3 apart = next - from_;
+        if (apart.dot(apart) >= radius * radius) {
             // |last + x (next - last) - from| = radius
             const Vec3 way = next - last_, off = last_ - from_;
             const double a = way.dot(way), b = way.dot(off);
@@ -49,7 +51,10 @@ std::optional<Vec3> LoopWalk::leave(double radius) {
             return last_ + way * (a > 0 ? (std::sqrt(b * b - a * c) - b) / a : 0);
         }
         last_ = next;
-        next_ = (next_ + (forward_ ? 1 : line_.size() - 1)) % line_.size();
+        if (forward_)
+            next_ = next_ < last ? next_ + 1 : 0;
+        else
+            next_ = next_ > 0 ? next_ - 1 : last;
     }
     return std::nullopt;
 }

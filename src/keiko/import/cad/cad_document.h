@@ -6,12 +6,14 @@
 
 #include <TopoDS_Face.hxx>
 #include <TopoDS_Shape.hxx>
+#include <TopoDS_TShape.hxx>
 
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace keiko::cad {
@@ -53,8 +55,8 @@ struct CadDocument {
     std::vector<std::string>
         missing_files;                  ///< which the file names for parts, but which are not there
     std::vector<UnreadFace> lost_faces; ///< in the order they were missed
-    std::function<std::string(const TopoDS_Shape& face)>
-        lost_trim{}; ///< bound of a face that the reader passed over, or empty; may be empty
+    std::unordered_map<const TopoDS_TShape*, std::string>
+        lost_trims;          ///< by face: which of its bounds the reader passed over
     Diagnostics diagnostics; ///< what reading the file has found
 };
 

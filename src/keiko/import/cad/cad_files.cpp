@@ -12,6 +12,9 @@
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
+#include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_TrimmedSurface.hxx>
+#include <IGESSolid_Face.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
@@ -21,6 +24,7 @@
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
+#include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
@@ -70,7 +74,24 @@ bool must_hold_faces(int type) {
     return type == 186 || type == 514;
 }
 
-/// Finds what an IGES file has for a face or a body, but no shape was made of.
+/// Number of loops that a surface entity states for its trim.
+int number_of_loops(const Handle(IGESData_IGESEntity) & entity) {
+    if (const auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(entity); !trimmed.IsNull())
+        return trimmed->NbInnerContours() + (trimmed->HasOuterContour() ? 1 : 0);
+    if (const auto bounded = Handle(IGESGeom_BoundedSurface)::DownCast(entity); !bounded.IsNull())
+        return bounded->NbBoundaries();
+    if (const auto face = Handle(IGESSolid_Face)::DownCast(entity); !face.IsNull())
+        return face->NbLoops();
+    return 0;
+}
+
+int number_of_wires(const TopoDS_Shape& shape) {
+    int count = 0;
+    for (TopExp_Explorer wire(shape, TopAbs_WIRE); wire.More(); wire.Next()) ++count;
+    return count;
+}
+
+/// Finds what an IGES file has for a face, a trim loop or a body, but no shape was made of.
 class IgesLossReader {
     using Entity = Handle(IGESData_IGESEntity);
 
@@ -84,7 +105,7 @@ public:
     bool look_into(const Entity& entity) {
         if (entity.IsNull()) return false;
         if (is_surface(entity->TypeNumber())) {
-            if (seen_.insert(entity.get()).second && shape_is_missing(entity)) lose(entity);
+            if (seen_.insert(entity.get()).second) look_at_surface(entity);
             return true;
         }
         if (!seen_.insert(entity.get()).second) return false;
@@ -92,21 +113,36 @@ public:
         for (Interface_EntityIterator part = session_->Graph().Shareds(entity); part.More();
              part.Next())
             if (look_into(Entity::DownCast(part.Value()))) holds = true;
-        if (!holds && must_hold_faces(entity->TypeNumber()) && shape_is_missing(entity))
+        if (!holds && must_hold_faces(entity->TypeNumber()) && shape_of(entity).IsNull())
             lose(entity);
         return holds;
     }
 
 private:
-    bool shape_is_missing(const Entity& entity) const {
-        return TransferBRep::ShapeResult(process_, entity).IsNull();
+    TopoDS_Shape shape_of(const Entity& entity) const {
+        return TransferBRep::ShapeResult(process_, entity);
+    }
+
+    void look_at_surface(const Entity& entity) {
+        const TopoDS_Shape shape = shape_of(entity);
+        if (shape.IsNull()) lose(entity);
+        const int stated = number_of_loops(entity), found = number_of_wires(shape);
+        if (found >= stated) return;
+        const std::string lost = label(entity) + " states " + std::to_string(stated) +
+                                 " trim loops, of which " + std::to_string(found) + " were read";
+        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
+            document_.lost_trims.emplace(face.Current().TShape().get(), lost);
+    }
+
+    /// "entity D12 of type 144"
+    std::string label(const Entity& entity) const {
+        return std::string("entity ") + session_->Model()->StringLabel(entity)->ToCString() +
+               " of type " + std::to_string(entity->TypeNumber());
     }
 
     void lose(const Entity& entity) {
         const std::string name = entity->HasShortLabel() ? entity->ShortLabel()->ToCString() : "";
-        document_.lost_faces.push_back(
-            {name, std::string("entity ") + session_->Model()->StringLabel(entity)->ToCString() +
-                       " of type " + std::to_string(entity->TypeNumber()) + " gave no face"});
+        document_.lost_faces.push_back({name, label(entity) + " gave no face"});
     }
 
     Handle(XSControl_WorkSession) session_;

@@ -31,8 +31,8 @@
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 
-#include <memory>
 #include <set>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -92,11 +92,6 @@ public:
                 take(placement);
         }
         remark_unused();
-        if (!trims_->empty())
-            document_.lost_trim = [trims = trims_](const TopoDS_Shape& face) {
-                const auto found = trims->find(face.TShape().get());
-                return found == trims->end() ? std::string() : found->second;
-            };
     }
 
 private:
@@ -146,7 +141,7 @@ private:
         if (is_present(face)) {
             if (std::string lost = lost_bound(face); !lost.empty())
                 for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
-                    trims_->emplace(e.Current().TShape().get(), lost);
+                    document_.lost_trims.emplace(e.Current().TShape().get(), lost);
         } else if (holds_.count(face.get()) > 0) {
             lose(face, shape.IsNull() ? "gave no face" : "is in no part that is placed");
             lost_.insert(face.get());
@@ -282,8 +277,6 @@ private:
     std::unordered_set<const TopoDS_TShape*> present_;          ///< faces of the parts
     std::unordered_map<const Standard_Transient*, bool> holds_; ///< look_into() of each
     std::unordered_set<const Standard_Transient*> lost_;        ///< face entities
-    std::shared_ptr<std::unordered_map<const TopoDS_TShape*, std::string>> trims_ =
-        std::make_shared<std::unordered_map<const TopoDS_TShape*, std::string>>();
     int unused_ = 0;
     std::string unused_labels_;
 };

@@ -65,9 +65,12 @@ std::optional<StripPlace> FaceStrips::nearest(const SurfaceCurve& border, double
     box.extend(border.at(t).position);
     std::optional<StripPlace> best;
     for (const std::uint32_t j : near(box.padded(reach))) {
-        const SeamSide& side = sides_[chords_[j].side];
+        const SideChord& chord = chords_[j];
+        const SeamSide& side = sides_[chord.side];
         if (side.is_inside && side.leads_on) continue;
-        const auto at = across(border, t, chords_[j], best ? best->width() : reach);
+        const bool is_here = t >= chord.t_from && t <= chord.t_to;
+        if (is_here && side.own.curve.is_same(border)) continue;
+        const auto at = across(border, t, chord, best ? best->width() : reach);
         if (at && nearly_parallel(at->near.tangent, at->far.tangent, std::sin(parallel_borders)))
             best = at;
     }

@@ -6,6 +6,7 @@
 #include "keiko/inspect/seams/seam_profile.h"
 #include "keiko/report/content/combs_text.h"
 #include "keiko/report/content/line_list.h"
+#include "keiko/triage/triage.h"
 
 #include <algorithm>
 #include <optional>
@@ -27,14 +28,14 @@ struct ReportPicture {
     std::string file_name;              ///< beside the report, e.g. "front.png"
     std::string png;                    ///< the file's bytes
     int width = 0, height = 0;          ///< pixels
-    std::vector<PictureMarker> markers; ///< the number is the rank of a worst seam, from 1
+    std::vector<PictureMarker> markers; ///< the number is that of a shown item, from 1
 };
 
 /// A close-up of a finding.
 struct CloseUp {
     /// Kind of a finding.
     enum class Of {
-        seam,    ///< one of the worst seams
+        seam,    ///< a stretch of a seam
         face,    ///< a face that does not pass
         crossing ///< a line that crosses a seam
     };
@@ -57,6 +58,7 @@ struct Report {
     Inspection inspection;                    ///< seams, faces and their verdicts
     std::optional<CoverageSummary> coverage;  ///< of lamps that were placed or rated
     std::optional<LineList> lines;            ///< of the views of `pictures`
+    Triage triage;                            ///< of whole_inspection()
     std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
     std::vector<ReportPicture> line_pictures; ///< stripe pictures with the lines
     /// Analysis pictures of the surface, each named for its view.
@@ -78,8 +80,22 @@ inline Inspection whole_inspection(const Report& report) {
     return report.lines ? with_lines(report.inspection, *report.lines) : report.inspection;
 }
 
-/// Number of worst seams, which pictures number and the first screen shows.
+/// Number of worst seams that reports name.
 constexpr std::size_t worst_seam_count = 5;
+
+/// Largest number of faults that the first screen shows.
+constexpr std::size_t most_shown = 7;
+
+/// What the first screen shows and pictures number: a fault, or a stretch of a seam.
+struct ShownItem {
+    const TriageItem* fault = nullptr; ///< null for a stretch without findings
+    std::uint32_t seam = no_index;     ///< the stretch that shows most of it
+    std::uint32_t face = no_index;     ///< of a fault of one face
+    Vec3 place{0};                     ///< the worst one, world, mm
+};
+
+/// The first faults of the triage; without any, the worst stretches of seams. Refers to the report.
+std::vector<ShownItem> shown_items(const Report& report);
 
 /// Largest number of stretches whose profiles a page shows.
 constexpr std::size_t most_profiles = 20;
@@ -87,6 +103,8 @@ constexpr std::size_t most_profiles = 20;
 /// The whole report as "keiko-report/1", in the manner of inspection_json. Inspection: tool {name,
 /// version} and the keys of inspection_json, with the verdict of lines and seams together. Lines:
 /// lines {rig, look, preset, verdict, counts, crossings} with the keys of lines_json, or null.
+/// Triage: triage {items, hidden}, both [{mending, findings, seams, face (numbers), length (mm),
+/// visible (share of 1), width (arc minutes), weight (square arc minutes), view, mirrored}].
 /// Coverage: coverage {rig, covered, unreached}. Pictures: pictures, line_pictures,
 /// curvature_pictures and close_ups
 /// [{title, file, width, height, markers [{number, x, y}]}]. Close-ups have the number of their

@@ -10,6 +10,11 @@ std::string text_cell(const std::string& text) {
     return html_cell(html_escaped(text), html_escaped(text), "left");
 }
 
+std::string value_text(const Check& check) {
+    if (check.unit == "1") return short_number(100 * check.worst.value, 3) + " %";
+    return short_number(check.worst.value, 3) + (check.unit == "deg" ? "°" : " " + check.unit);
+}
+
 /// A row of a table of checks; `first` and `last`: cells of further columns.
 std::string row(const Report& report, const Check& check, std::string_view tone,
                 const std::string& first, const std::string& last) {
@@ -19,8 +24,7 @@ std::string row(const Report& report, const Check& check, std::string_view tone,
     const MeasuredValue& worst = check.worst;
     return "<tr class=\"" + std::string(tone) + "\"" + opens + ">" + first +
            text_cell(check.view.empty() ? check.faces : subject_of(check)) + text_cell(check.code) +
-           html_number_cell(worst.value, short_number(worst.value, 3) + " " + check.unit, true) +
-           text_cell(check.message) +
+           html_number_cell(worst.value, value_text(check), true) + text_cell(check.message) +
            html_cell(short_number(worst.place.x, 9), place_text(worst.place)) + last + "</tr>\n";
 }
 
@@ -58,12 +62,11 @@ std::string html_accepted(const Report& report) {
         remarks_list(whole);
     if (whole.accepted.empty()) return html + "</section>\n";
     html += html_table_head(
-        {"where", "code", "value", "what", "place x, y, z", "why", "who", "when", "until"},
-        "where");
+        {"where", "code", "value", "what", "place x, y, z", "why", "by", "until"}, "where");
     for (const Check& check : whole.accepted) {
         const AcceptanceNote& note = *check.accepted;
         html += row(report, check, "crease", "",
-                    text_cell(note.why) + text_cell(note.who) + text_cell(note.when) +
+                    text_cell(note.why) + text_cell(note.who + ", " + note.when) +
                         text_cell(note.until.empty() ? "–" : note.until));
     }
     return html + std::string(html_table_end) + "</section>\n";

@@ -81,11 +81,16 @@ std::string html_opens_close_up(const Report& report, CloseUp::Of of, std::size_
 
 std::string html_gallery(const Report& report) {
     if (report.close_ups.empty()) return "";
-    const std::vector<std::uint32_t> shown = worst_seams(report.inspection, worst_seam_count);
+    const std::vector<ShownItem> shown = shown_items(report);
+    const auto shows = [](const CloseUp& close_up, const ShownItem& item) {
+        return close_up.of == CloseUp::Of::seam
+                   ? item.seam == close_up.index
+                   : close_up.of == CloseUp::Of::face && item.face == close_up.index;
+    };
     std::string html = "<div hidden>\n";
     for (const CloseUp& close_up : report.close_ups)
-        if (close_up.of != CloseUp::Of::seam ||
-            std::find(shown.begin(), shown.end(), close_up.index) == shown.end())
+        if (std::none_of(shown.begin(), shown.end(),
+                         [&](const ShownItem& item) { return shows(close_up, item); }))
             html += image(close_up) + "\n";
     return html +
            "</div>\n<dialog id=\"viewer\"><img alt=\"close-up\"><p></p>"

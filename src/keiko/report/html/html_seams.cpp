@@ -116,19 +116,6 @@ std::string profile_of(const Report& report, std::uint32_t index) {
     return profile_svg(*found, SeamQuantities(report.inspection.preset).curvature_limit().formula);
 }
 
-std::string seam_card(const Report& report, std::size_t rank, std::uint32_t index) {
-    const MeasuredSeam& seam = report.inspection.seams[index];
-    return "<div class=\"card seam " + tone_of(seam) + "\"><div class=\"rank\">" +
-           std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
-           html_escaped(seam.faces) + "</div><div class=\"soft small\">at " +
-           place_text(worst_place(seam)) + irregular_note(seam) + " · " +
-           fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
-           "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
-           curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
-           fading_measure(seam) + "</div>" + profile_of(report, index) + "</div>" +
-           html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
-}
-
 bool over(const MeasuredValue& worst) {
     return worst.verdict != Verdict::pass;
 }
@@ -206,19 +193,27 @@ std::vector<std::string> headings(const CriteriaPreset& preset) {
 
 } // namespace
 
-std::string html_worst_seams(const Report& report) {
-    const std::vector<std::uint32_t> worst = worst_seams(report.inspection, worst_seam_count);
-    if (worst.empty()) return "";
-    std::string html = "<section><h2>Worst stretches of seams</h2><div class=\"worst\">\n";
-    for (std::size_t i = 0; i < worst.size(); ++i) html += seam_card(report, i + 1, worst[i]);
-    return html + "</div></section>\n";
+std::string html_seam_card(const Report& report, std::size_t rank, std::uint32_t index,
+                           const std::string& note) {
+    const MeasuredSeam& seam = report.inspection.seams[index];
+    return "<div class=\"card seam " + tone_of(seam) + "\"><div class=\"rank\">" +
+           std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
+           html_escaped(seam.faces) + "</div>" + note + "<div class=\"soft small\">at " +
+           place_text(worst_place(seam)) + irregular_note(seam) + " · " +
+           fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
+           "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
+           curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
+           fading_measure(seam) + "</div>" + profile_of(report, index) + "</div>" +
+           html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
 }
 
 std::string html_more_profiles(const Report& report) {
-    const std::vector<std::uint32_t> worst = worst_seams(report.inspection, worst_seam_count);
+    const std::vector<ShownItem> shown = shown_items(report);
     std::string html;
     for (const SeamProfile& profile : report.profiles) {
-        if (std::find(worst.begin(), worst.end(), profile.seam) != worst.end()) continue;
+        if (std::any_of(shown.begin(), shown.end(),
+                        [&](const ShownItem& item) { return item.seam == profile.seam; }))
+            continue;
         const MeasuredSeam& seam = report.inspection.seams[profile.seam];
         html += "<details class=\"card profiled\"><summary><span class=\"" + tone_of(seam) +
                 "\"><span class=\"chip\">" + tone_of(seam) + "</span></span> " +

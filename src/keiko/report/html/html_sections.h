@@ -28,9 +28,14 @@ std::string html_opens_close_up(const Report& report, CloseUp::Of of, std::size_
 std::string html_gallery(const Report& report);
 /// The reflection lines in pictures, and their crossings with seams.
 std::string html_lines(const Report& report);
-/// The worst seams, each with its measures against their limits.
-std::string html_worst_seams(const Report& report);
-/// The profiles of failing and undecided stretches that are not among the worst.
+/// The faults to mend first, or else the worst seams, each with its measures against their limits.
+std::string html_first_screen(const Report& report);
+/// A stretch of a seam with its measures against their limits; `note`: a fragment on its fault.
+std::string html_seam_card(const Report& report, std::size_t rank, std::uint32_t index,
+                           const std::string& note);
+/// Faults that no standing view shows.
+std::string html_hidden(const Report& report);
+/// The profiles of failing and undecided stretches that the first screen does not show.
 std::string html_more_profiles(const Report& report);
 /// Findings of seams, faces and lines, by the numbers of report.json.
 std::string html_findings(const Report& report);

@@ -4,6 +4,7 @@
 #include "keiko/report/content/picture_outcome.h"
 #include "keiko/report/markup/json_text.h"
 #include "keiko/scene/camera.h"
+#include "keiko/triage/triage.h"
 
 namespace keiko {
 
@@ -25,6 +26,9 @@ Json measured_json(const MeasuredValue& value);
 Json finding_json(const Check& finding);
 /// The findings, then what is worth a look, each with its `number` from 1.
 Json findings_json(const Inspection& inspection);
+/// items and hidden, each [{mending, findings, seams, face, length, visible, width, weight, view,
+/// mirrored}]; numbers from 1.
+Json triage_json(const Triage& triage);
 /// The accepted findings.
 Json accepted_json(const Inspection& inspection);
 /// A sentence for each acceptance that covers nothing.

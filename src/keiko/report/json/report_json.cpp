@@ -251,6 +251,7 @@ std::string report_json(const Report& report) {
     json.update(inspection_json_value(whole_inspection(report)));
     json["verdict"] = name_of(verdict_of(report));
     json["lines"] = report.lines ? line_verdicts_json(*report.lines) : Json();
+    json["triage"] = triage_json(report.triage);
     json["coverage"] = report.coverage ? coverage_json(*report.coverage) : Json();
     json["pictures"] = Json::array();
     for (const ReportPicture& picture : report.pictures)

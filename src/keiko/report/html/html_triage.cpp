@@ -1,0 +1,103 @@
+#include "keiko/report/html/html_sections.h"
+#include "keiko/report/markup/html_text.h"
+
+#include <algorithm>
+
+namespace keiko {
+namespace {
+
+/// "three-quarter front left" for "standing-three-quarter-front-left".
+std::string words_of_view(const std::string& view) {
+    constexpr std::string_view standing = "standing-", side = "three-quarter-";
+    std::string words = view.rfind(standing, 0) == 0 ? view.substr(standing.size()) : view;
+    const bool is_between = words.rfind(side, 0) == 0;
+    if (is_between) words.erase(0, side.size());
+    std::replace(words.begin(), words.end(), '-', ' ');
+    return is_between ? "three-quarter " + words : words;
+}
+
+/// What an eye sees of a fault: "curvature · breaks a reflection by 2.8′ in view left · 271.5 mm on
+/// 3 stretches, 96 % of it visible · on both sides".
+std::string sight_text(const TriageItem& item) {
+    constexpr double least_width = 0.05; // arc minutes
+    std::string text(name_of(item.mending));
+    if (item.width >= least_width)
+        text += " · breaks a reflection by " + fixed_number(item.width, 1) + "′ in view " +
+                words_of_view(item.view);
+    if (!item.seams.empty())
+        text += " · " + fixed_number(item.length, 1) + " mm on " +
+                std::to_string(item.seams.size()) +
+                (item.seams.size() == 1 ? " stretch" : " stretches") + ", " +
+                fixed_number(100 * item.visible, 0) + " % of it visible";
+    return text + (item.mirrored ? " · on both sides" : "");
+}
+
+std::string note_on(const TriageItem& fault) {
+    return "<div class=\"sight\">" + html_escaped(sight_text(fault)) + "</div>";
+}
+
+/// The card of a fault of a face, or of lines.
+std::string card(const Report& report, std::size_t rank, const ShownItem& item,
+                 const Check& worst) {
+    return "<div class=\"card seam " + std::string(outcome_of(worst)) + "\"><div class=\"rank\">" +
+           std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
+           html_escaped(worst.faces) + "</div>" + note_on(*item.fault) + "<div>" +
+           html_escaped(worst.message) + "</div><div class=\"soft small\">at " +
+           place_text(worst.worst.place) + "</div></div>" +
+           html_close_up(report, CloseUp::Of::face, item.face) + "</div>\n";
+}
+
+std::string row(std::size_t number, const TriageItem& fault, const Check& worst) {
+    const auto text_cell = [](const std::string& text) {
+        return html_cell(html_escaped(text), html_escaped(text), "left");
+    };
+    return "<tr class=\"" + std::string(outcome_of(worst)) + "\">" +
+           html_cell(std::to_string(number), std::to_string(number)) + text_cell(worst.faces) +
+           text_cell(std::string(name_of(fault.mending))) + text_cell(worst.message) +
+           html_number_cell(fault.length, fixed_number(fault.length, 1), true) +
+           html_cell(short_number(worst.worst.place.x, 9), place_text(worst.worst.place)) +
+           "</tr>\n";
+}
+
+} // namespace
+
+std::string html_first_screen(const Report& report) {
+    const std::vector<ShownItem> items = shown_items(report);
+    if (items.empty()) return "";
+    const std::size_t faults = report.triage.items.size();
+    const std::vector<Check> findings = whole_inspection(report).findings;
+    std::string html = faults > 0
+                           ? "<section><h2>What to mend first</h2><p class=\"soft\">Faults by what "
+                             "an eye sees of them from the standing views: how far the reflection "
+                             "of a lamp breaks, over the visible length.</p>"
+                           : "<section><h2>Worst stretches of seams</h2>";
+    html += "<div class=\"worst\">\n";
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const ShownItem& item = items[i];
+        html +=
+            item.seam != no_index
+                ? html_seam_card(report, i + 1, item.seam, item.fault ? note_on(*item.fault) : "")
+                : card(report, i + 1, item, findings[item.fault->findings.front()]);
+    }
+    html += "</div>";
+    if (faults > items.size())
+        html += "<p class=\"soft\">" + std::to_string(faults - items.size()) +
+                " more stand among the findings below.</p>";
+    return html + "</section>\n";
+}
+
+std::string html_hidden(const Report& report) {
+    const std::vector<TriageItem>& hidden = report.triage.hidden;
+    if (hidden.empty()) return "";
+    const std::vector<Check> findings = whole_inspection(report).findings;
+    std::string html =
+        "<section><h2>Faults in hidden places</h2><p class=\"soft\">No standing view shows more "
+        "than a hundredth of their length: flanges, hems, inner sides. They have their part in the "
+        "verdict.</p>" +
+        html_table_head({"#", "faces", "mend", "what", "length mm", "place x, y, z"}, "faces");
+    for (std::size_t i = 0; i < hidden.size(); ++i)
+        html += row(i + 1, hidden[i], findings[hidden[i].findings.front()]);
+    return html + std::string(html_table_end) + "</section>\n";
+}
+
+} // namespace keiko

@@ -1,0 +1,71 @@
+#pragma once
+
+#include "keiko/base/export.h"
+#include "keiko/inspect/inspection.h"
+#include "keiko/intersect/traversal/tracer.h"
+
+#include <array>
+#include <string_view>
+
+namespace KEIKO_API keiko {
+
+/// Names of the views from which a body is looked at: those of a walking surfacer, and from above.
+constexpr std::array<std::string_view, 9> standing_views{"standing-front",
+                                                         "standing-rear",
+                                                         "standing-left",
+                                                         "standing-right",
+                                                         "standing-three-quarter-front-left",
+                                                         "standing-three-quarter-front-right",
+                                                         "standing-three-quarter-rear-left",
+                                                         "standing-three-quarter-rear-right",
+                                                         "top"};
+
+/// What the standing views show of a finding.
+struct Sight {
+    double length = 0;  ///< mm, of the finding
+    double visible = 0; ///< mm of it that at least one view shows
+    double width = 0;   ///< arc minutes: the widest break of a reflection in any view
+    /// Square arc minutes: the break's width, integrated over its visible length, of each view.
+    std::array<double, standing_views.size()> weight{};
+
+    /// Adds what is seen of another part of the same finding.
+    void add(const Sight& other);
+    /// The view that shows most of it; the first if none shows anything.
+    std::size_t best_view() const;
+};
+
+/// A place of a finding, and how a reflection breaks there.
+struct SightPlace {
+    Vec3 place{0};          ///< world, mm
+    Vec3 normal{0};         ///< unit, of either side of the surface
+    Vec3 along{0};          ///< unit, of the run of the finding; 0 for a place
+    double length = 0;      ///< mm of it that the place stands for
+    double gap = 0;         ///< mm
+    double angle = 0;       ///< degrees
+    double curvature_a = 0; ///< 1/mm, across the run, on one side
+    double curvature_b = 0; ///< 1/mm, on the other
+};
+
+/// Looks at findings of a body from the standing views.
+class StandingEyes {
+public:
+    /// Keeps references to both. `tracer`: of the model.
+    StandingEyes(const SurfaceModel& model, const Tracer& tracer);
+
+    /// What is seen of places that belong to one finding.
+    Sight sight(std::span<const SightPlace> places) const;
+    /// What is seen of measured stretches, by their indices; of the others nothing.
+    std::vector<Sight> sights(const Inspection& inspection,
+                              std::span<const std::uint32_t> stretches, const Job& job) const;
+    /// What is seen at the worst place of a check of a face.
+    Sight sight(const Inspection& inspection, const Check& check) const;
+
+private:
+    std::vector<bool> visibility(std::span<const SightPlace> places) const;
+
+    const SurfaceModel& model_;
+    const Tracer& tracer_;
+    std::array<Vec3, standing_views.size()> eyes_; ///< world, mm
+};
+
+} // namespace keiko

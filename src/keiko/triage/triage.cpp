@@ -1,0 +1,218 @@
+#include "keiko/triage/triage.h"
+
+#include "keiko/inspect/seams/seam_chain.h"
+#include "keiko/math/disjoint_sets.h"
+#include "keiko/scene/symmetry.h"
+#include "keiko/triage/seam_sight.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+/// What the criteria ask for, by their codes. All others ask for another layout.
+constexpr std::array<std::pair<std::string_view, Mending>, 14> mendings{
+    {{"G-SU-LG", Mending::position},
+     {"KEIKO-OPENING", Mending::position},
+     {"KEIKO-SYMMETRY", Mending::position},
+     {"G-SU-NT", Mending::tangent},
+     {"KEIKO-LINE-JUMP", Mending::tangent},
+     {"KEIKO-LINE-TURN", Mending::tangent},
+     {"G-SU-NS", Mending::curvature},
+     {"KEIKO-G3", Mending::curvature},
+     {"KEIKO-RUN-OUT", Mending::curvature},
+     {"G-SU-CR", Mending::curvature},
+     {"G-SU-WV", Mending::curvature},
+     {"KEIKO-DENT", Mending::curvature},
+     {"KEIKO-LINE-KINK", Mending::curvature},
+     {"KEIKO-LINE-BEND", Mending::curvature}}};
+
+Mending mending_of(const Check& check) {
+    for (const auto& [code, mending] : mendings)
+        if (code == check.code) return mending;
+    return Mending::layout;
+}
+
+/// The findings of one stretch, of one face, or of lines over what has no other finding.
+struct Unit {
+    std::uint32_t seam = no_index, face = no_index;
+    std::string faces; ///< names
+    Mending mending = Mending::layout;
+    std::vector<std::size_t> findings;
+    Sight sight;
+};
+
+/// Findings by what they are of. Lines join the first unit of the same faces.
+std::vector<Unit> units_of(const Inspection& inspection) {
+    std::vector<Unit> units;
+    std::map<std::tuple<std::uint32_t, std::uint32_t, std::string>, std::size_t> known;
+    std::map<std::string, std::size_t> by_faces;
+    for (std::size_t i = 0; i < inspection.findings.size(); ++i) {
+        const Check& check = inspection.findings[i];
+        const bool of_line = check.seam == no_index && check.face == no_index;
+        const auto same = by_faces.find(check.faces);
+        if (of_line && same != by_faces.end()) {
+            units[same->second].findings.push_back(i);
+            continue;
+        }
+        const auto [at, is_new] =
+            known.try_emplace({check.seam, check.face, of_line ? check.faces : ""}, units.size());
+        if (is_new)
+            units.push_back({check.seam, check.face, check.faces, mending_of(check), {}, {}});
+        units[at->second].findings.push_back(i);
+        if (check.face == no_index) by_faces.emplace(check.faces, at->second);
+    }
+    return units;
+}
+
+/// An end of a stretch and the direction in which the stretch leads out of it.
+struct CourseEnd {
+    Vec3 place{0}, out{0};
+};
+
+std::array<CourseEnd, 2> ends_of(const MeasuredSeam& seam) {
+    const std::vector<Vec3>&first = seam.course.front(), &last = seam.course.back();
+    return {CourseEnd{first.front(), first.front() - first[1]},
+            CourseEnd{last.back(), last.back() - last[last.size() - 2]}};
+}
+
+/// True if one stretch goes on where the other ends.
+bool continue_each_other(const MeasuredSeam& a, const MeasuredSeam& b) {
+    constexpr double bend = 0.5; // sine of the largest angle between them
+    for (const CourseEnd& of_a : ends_of(a))
+        for (const CourseEnd& of_b : ends_of(b))
+            if ((of_a.place - of_b.place).length() <= same_vertex && of_a.out.dot(of_b.out) < 0 &&
+                nearly_parallel(of_a.out, of_b.out, bend))
+                return true;
+    return false;
+}
+
+/// True if two stretches are images of each other, within a share of their length.
+bool are_images(const MeasuredSeam& a, const MeasuredSeam& b, const MirrorPlane& mirror) {
+    constexpr double share = 0.01;
+    const double slack = share * std::max(a.length, b.length);
+    return std::abs(a.length - b.length) <= slack &&
+           (mirror.image(a.middle) - b.middle).length() <= slack &&
+           std::abs(mirror.distance(a.middle)) > slack;
+}
+
+class Grouping {
+public:
+    Grouping(const Inspection& inspection, std::vector<Unit> units)
+        : inspection_(inspection), units_(std::move(units)), sets_(units_.size()) {}
+
+    void join(const MirrorPlane& mirror) {
+        for (std::size_t j = 1; j < units_.size(); ++j)
+            for (std::size_t i = 0; i < j; ++i) join_pair(i, j, mirror);
+    }
+
+    Triage items() {
+        std::map<std::size_t, std::vector<std::size_t>> groups;
+        for (std::size_t i = 0; i < units_.size(); ++i) groups[sets_.root(i)].push_back(i);
+        Triage triage;
+        for (auto& [root, members] : groups) {
+            TriageItem item = item_of(std::move(members));
+            (item.visible > hidden_share ? triage.items : triage.hidden).push_back(std::move(item));
+        }
+        for (auto* items : {&triage.items, &triage.hidden})
+            std::stable_sort(items->begin(), items->end(),
+                             [](const TriageItem& a, const TriageItem& b) {
+                                 return std::tuple(b.weight, a.findings.front()) <
+                                        std::tuple(a.weight, b.findings.front());
+                             });
+        return triage;
+    }
+
+private:
+    const MeasuredSeam& seam(std::size_t unit) const {
+        return inspection_.seams[units_[unit].seam];
+    }
+
+    void join_pair(std::size_t i, std::size_t j, const MirrorPlane& mirror) {
+        if (units_[i].seam == no_index || units_[j].seam == no_index ||
+            units_[i].mending != units_[j].mending)
+            return;
+        const MeasuredSeam &a = seam(i), &b = seam(j);
+        if (are_images(a, b, mirror)) images_.insert({i, j}), sets_.join(i, j);
+        if (a.line == b.line || continue_each_other(a, b)) sets_.join(i, j);
+    }
+
+    TriageItem item_of(std::vector<std::size_t> members) const;
+
+    const Inspection& inspection_;
+    std::vector<Unit> units_;
+    DisjointSets sets_;
+    std::set<std::pair<std::size_t, std::size_t>> images_;
+};
+
+TriageItem Grouping::item_of(std::vector<std::size_t> members) const {
+    const auto seen = [&](std::size_t i) {
+        return units_[i].sight.weight[units_[i].sight.best_view()];
+    };
+    std::stable_sort(members.begin(), members.end(),
+                     [&](std::size_t a, std::size_t b) { return seen(a) > seen(b); });
+    TriageItem item;
+    Sight all;
+    for (const std::size_t i : members) {
+        const Unit& unit = units_[i];
+        all.add(unit.sight);
+        item.findings.insert(item.findings.end(), unit.findings.begin(), unit.findings.end());
+        if (unit.seam != no_index) item.seams.push_back(unit.seam);
+        for (const std::size_t j : members)
+            if (images_.count({i, j}) > 0) item.mirrored = true;
+    }
+    std::sort(item.findings.begin(), item.findings.end());
+    const std::size_t view = all.best_view();
+    item.mending = units_[members.front()].mending, item.face = units_[members.front()].face;
+    item.length = all.length, item.width = all.width, item.weight = all.weight[view];
+    item.visible = all.length > 0 ? all.visible / all.length : 0;
+    item.view = standing_views[view];
+    return item;
+}
+
+} // namespace
+
+std::string_view name_of(Mending mending) {
+    switch (mending) {
+        case Mending::position:
+            return "position";
+        case Mending::tangent:
+            return "tangent";
+        case Mending::curvature:
+            return "curvature";
+        case Mending::layout:
+            return "layout";
+    }
+    return "";
+}
+
+Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection& inspection,
+              const Job& job) {
+    if (inspection.findings.empty()) return {};
+    std::vector<Unit> units = units_of(inspection);
+    std::vector<std::uint32_t> stretches;
+    for (const Unit& unit : units)
+        if (unit.seam != no_index) stretches.push_back(unit.seam);
+    const StandingEyes eyes(model, tracer);
+    const std::vector<Sight> sights = eyes.sights(inspection, stretches, job);
+    for (Unit& unit : units)
+        unit.sight = unit.seam != no_index
+                         ? sights[unit.seam]
+                         : eyes.sight(inspection, inspection.findings[unit.findings.front()]);
+    Grouping grouping(inspection, std::move(units));
+    grouping.join({1, (tracer.bounds().lower.y + tracer.bounds().upper.y) / 2});
+    return grouping.items();
+}
+
+Vec3 worst_place(const TriageItem& item, const Inspection& inspection) {
+    return item.seams.empty() ? inspection.findings[item.findings.front()].worst.place
+                              : worst_place(inspection.seams[item.seams.front()]);
+}
+
+} // namespace keiko

@@ -1,0 +1,146 @@
+#include "keiko/triage/triage.h"
+
+#include "keiko/base/units.h"
+#include "keiko/triage/reflection_break.h"
+#include "keiko/triage/seam_sight.h"
+
+#include "tests/support/model_builder.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+using test::ModelBuilder;
+
+/// Two sheets, `length` mm along x, that meet at an angle in degrees.
+void bent_pair(ModelBuilder& builder, const Vec3& from, double length, double degrees,
+               double parts = 1) {
+    const double turn = degrees_to_radians(degrees), width = 100;
+    for (double i = 0; i < parts; ++i) {
+        const Vec3 run(length / parts, 0, 0), origin = from + run * i;
+        builder.plane(origin, run, {0, width, 0});
+        builder.plane(origin, run, {0, -width * std::cos(turn), -width * std::sin(turn)});
+    }
+}
+
+/// The walls of a closed box.
+void closed_box(ModelBuilder& builder, const Vec3& low, const Vec3& size) {
+    const Vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
+    for (const Vec3& origin : {low, low + z}) builder.plane(origin, x, y);
+    for (const Vec3& origin : {low, low + y}) builder.plane(origin, x, z);
+    for (const Vec3& origin : {low, low + x}) builder.plane(origin, y, z);
+}
+
+struct Triaged {
+    Inspection inspection;
+    Triage triage;
+
+    explicit Triaged(const ModelBuilder& builder) {
+        const SurfaceModel model = builder.build();
+        inspection = inspect(model);
+        triage = keiko::triage(model, Tracer(model), inspection);
+    }
+    double angle_of(const TriageItem& item) const {
+        return inspection.seams[item.seams.front()].angle->value;
+    }
+};
+
+TEST(Triage, OrdersFaultsByWhatIsSeen) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 400, 0.3);
+    bent_pair(builder, {0, 1000, 0}, 400, 0.9);
+    bent_pair(builder, {0, 2000, 0}, 20, 2); // short
+    bent_pair(builder, {0, 3000, 0}, 400, 0.05);
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 3u);
+    EXPECT_TRUE(found.triage.hidden.empty());
+    EXPECT_NEAR(found.angle_of(found.triage.items[0]), 0.9, 1e-9);
+    EXPECT_NEAR(found.angle_of(found.triage.items[1]), 0.3, 1e-9);
+    EXPECT_NEAR(found.angle_of(found.triage.items[2]), 2, 1e-9);
+    for (const TriageItem& item : found.triage.items) {
+        EXPECT_EQ(item.mending, Mending::tangent);
+        EXPECT_NEAR(item.width, 60 * 2 * found.angle_of(item), 1e-6) << "of plane sheets";
+        EXPECT_EQ(item.visible, 1);
+        EXPECT_NEAR(item.length, found.inspection.seams[item.seams.front()].length, 1e-6);
+    }
+}
+
+TEST(Triage, FaultsInsideABoxAreHidden) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 300, 0.5);
+    closed_box(builder, {-100, -200, -100}, {500, 400, 200});
+    bent_pair(builder, {1000, 0, 0}, 300, 0.5);
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    ASSERT_EQ(found.triage.hidden.size(), 1u);
+    EXPECT_EQ(found.triage.hidden[0].visible, 0);
+    EXPECT_EQ(found.triage.hidden[0].weight, 0);
+    const Vec3 place = worst_place(found.triage.items[0], found.inspection);
+    EXPECT_GE(place.x, 1000);
+}
+
+TEST(Triage, AFaultOverSeveralStretchesIsOneItem) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 900, 0.5, 3);
+    const Triaged found(builder);
+    ASSERT_EQ(found.inspection.findings.size(), 3u);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    const TriageItem& item = found.triage.items[0];
+    EXPECT_EQ(item.seams.size(), 3u);
+    EXPECT_EQ(item.findings, (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_NEAR(item.length, 900, 1e-6);
+    EXPECT_FALSE(item.mirrored);
+}
+
+TEST(Triage, ImagesOfEachOtherAreOneItem) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 500, 0}, 400, 0.5);
+    bent_pair(builder, {0, -500, 0}, 400, 0.52);
+    bent_pair(builder, {600, 500, 0}, 400, 0.5);
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 2u);
+    EXPECT_TRUE(found.triage.items[0].mirrored);
+    EXPECT_EQ(found.triage.items[0].seams.size(), 2u);
+    EXPECT_FALSE(found.triage.items[1].mirrored);
+}
+
+/// The weight is the width over the length, both as an eye sees them.
+TEST(Triage, WeightsAreSolidAngles) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 100, 0.5);
+    const SurfaceModel model = builder.build();
+    const Inspection inspection = inspect(model);
+    const Tracer tracer(model);
+    const std::vector<std::uint32_t> first{0};
+    const Sight sight = StandingEyes(model, tracer).sights(inspection, first, {})[0];
+    const Triage found = triage(model, tracer, inspection);
+    ASSERT_EQ(found.items.size(), 1u);
+    EXPECT_EQ(found.items[0].weight, sight.weight[sight.best_view()]);
+    // From 3 to 6 m, 100 mm are seen in at most 60 x 57.3 x 100 / 3000 arc minutes.
+    EXPECT_LT(found.items[0].weight, 60 * 115);
+    EXPECT_GT(found.items[0].weight, 60 * 57);
+}
+
+TEST(Triage, CreasesCountByTheirGapAlone) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {300, 0, 0}, {0, 100, 0});
+    builder.plane({0, 0, -0.05}, {300, 0, 0}, {0, 0, -100});
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_EQ(found.triage.items[0].mending, Mending::position);
+    EXPECT_LT(found.triage.items[0].width, break_of_gap(0.05, {1500, 1}));
+    EXPECT_GT(found.triage.items[0].width, break_of_gap(0.05, {8000, 1}));
+}
+
+TEST(Triage, OfABodyWithoutFindingsIsEmpty) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 400, 0);
+    const Triaged found(builder);
+    EXPECT_TRUE(found.triage.items.empty());
+    EXPECT_TRUE(found.triage.hidden.empty());
+}
+
+} // namespace
+} // namespace keiko
