@@ -60,7 +60,7 @@ double arc_minutes(double radians) {
 
 TEST(ReflectionBreak, OfAnAngleIsThatOfTracedRays) {
     constexpr double angle = 0.01; // degrees
-    for (const double radius : {INFINITY, 20000.0, 500.0, 30.0})
+    for (const double radius : {HUGE_VAL, 20000.0, 500.0, 30.0})
         for (const double incidence : {0.0, 0.5, 1.2})
             for (const double distance : {800.0, 4000.0}) {
                 const Vec2 eye = eye_at(distance, incidence);
@@ -85,7 +85,7 @@ double traced_width(double radius, const Vec2& eye) {
 }
 
 TEST(ReflectionBreak, OfCurvaturesIsThatOfTracedRays) {
-    for (const double a : {INFINITY, 2000.0, 100.0})
+    for (const double a : {HUGE_VAL, 2000.0, 100.0})
         for (const double b : {5000.0, 300.0})
             for (const double incidence : {0.0, 0.7}) {
                 const Vec2 eye = eye_at(2000, incidence);
