@@ -108,8 +108,12 @@ std::size_t Sight::best_view() const {
 
 StandingEyes::StandingEyes(const SurfaceModel& model, const Tracer& tracer)
     : model_(model), tracer_(tracer) {
-    for (std::size_t i = 0; i < eyes_.size(); ++i)
-        eyes_[i] = frame_view(standing_views[i], tracer.bounds()).eye;
+    constexpr double nearest = 3000; // mm, as the standing views have it
+    for (std::size_t i = 0; i < eyes_.size(); ++i) {
+        const Camera camera = frame_view(standing_views[i], tracer.bounds());
+        const Vec3 way = camera.eye - camera.target;
+        eyes_[i] = camera.target + way * std::max(1.0, nearest / way.length());
+    }
 }
 
 /// Whether each view shows each place, view after view.
