@@ -30,6 +30,52 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     EXPECT_EQ(json["close_ups"][1]["face"], 2);
 }
 
+TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
+    Report triaged = report();
+    TriageItem seen{Mending::tangent,
+                    {1},
+                    {1},
+                    no_index,
+                    100,
+                    0.96,
+                    36,
+                    3e4,
+                    "standing-three-quarter-front-left",
+                    true};
+    TriageItem hidden{Mending::position, {0}, {0}, no_index, 100, 0, 0, 0, "top", false};
+    triaged.triage = {{seen}, {hidden}};
+    const std::string html = report_html(triaged);
+    const auto first = html.find("What to mend first"), apart = html.find("hidden places");
+    ASSERT_NE(first, std::string::npos);
+    ASSERT_LT(first, apart);
+    const std::string screen = html.substr(first, apart - first);
+    EXPECT_NE(screen.find("tangent · breaks a reflection by 36.0′ in view three-quarter front left "
+                          "· 100.0 mm on 1 stretch, 96 % of it visible · on both sides"),
+              std::string::npos);
+    EXPECT_NE(screen.find("0.300°"), std::string::npos);
+    EXPECT_EQ(screen.find("0.0400 mm"), std::string::npos) << "the gap is hidden";
+    EXPECT_NE(html.find("position", apart), std::string::npos);
+    const auto json = nlohmann::json::parse(report_json(triaged))["triage"];
+    EXPECT_EQ(json["items"][0]["findings"], nlohmann::json({2}));
+    EXPECT_EQ(json["items"][0]["seams"], nlohmann::json({2}));
+    EXPECT_EQ(json["hidden"][0]["mending"], "position");
+    ASSERT_EQ(shown_items(triaged).size(), 1u);
+    EXPECT_EQ(shown_items(report()).size(), 2u) << "else the worst stretches";
+}
+
+TEST(ReportHtml, AFaultOfAFaceHasACard) {
+    Report triaged = report();
+    Check dent;
+    dent.code = "KEIKO-DENT", dent.unit = "mm", dent.face = 2, dent.faces = "face 3";
+    dent.message = "the dent of 0.1 mm is over the limit", dent.worst.verdict = Verdict::fail;
+    triaged.inspection.findings.push_back(dent);
+    triaged.triage.items = {{Mending::curvature, {2}, {}, 2, 10, 1, 5, 100, "top", false}};
+    const std::string html = report_html(triaged);
+    const auto first = html.find("What to mend first");
+    EXPECT_LT(first, html.find("curvature · breaks a reflection by 5.0′ in view top</div>"));
+    EXPECT_LT(first, html.find("the dent of 0.1 mm"));
+}
+
 TEST(ReportHtml, PlotsTheProfilesOfStretchesThatDoNotPass) {
     Report plotted = report();
     EXPECT_EQ(report_html(plotted).find("<svg class=\"profile\""), std::string::npos);
