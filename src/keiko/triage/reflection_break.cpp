@@ -11,7 +11,7 @@ double arc_minutes(double radians) {
     return 60 * radians_to_degrees(radians);
 }
 
-/// What a body of this curvature leaves of an angle between two reflected rays, seen from the eye.
+/// Ratio of an angle that the eye sees on a body of this curvature to the same on a plane.
 double shrinking(double curvature, const LineOfSight& sight) {
     return sight.cosine / (sight.cosine + 2 * std::abs(curvature) * sight.distance);
 }

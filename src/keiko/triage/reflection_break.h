@@ -1,8 +1,6 @@
 #pragma once
 
-#include "keiko/base/export.h"
-
-namespace KEIKO_API keiko {
+namespace keiko {
 
 /// How an eye sees a place of a body.
 struct LineOfSight {
@@ -10,8 +8,7 @@ struct LineOfSight {
     double cosine = 0;   ///< between the line and the normal, 0 to 1
 };
 
-/// Arc minutes: width of the lamp whose reflections are looked at, from the place of the body: a
-/// tube of 60 mm at 2 m.
+/// Arc minutes: width of the reflected lamp from the place of the body, a tube of 60 mm at 2 m.
 constexpr double lamp_width = 103.1;
 
 /// Arc minutes by which the reflection of a distant lamp is torn apart where the normal turns by

@@ -1,15 +1,14 @@
 #pragma once
 
-#include "keiko/base/export.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/intersect/traversal/tracer.h"
 
 #include <array>
 #include <string_view>
 
-namespace KEIKO_API keiko {
+namespace keiko {
 
-/// Names of the views from which a body is looked at: those of a walking surfacer, and from above.
+/// Names of the views in which faults are sought: those of a walking surfacer, and from above.
 constexpr std::array<std::string_view, 9> standing_views{"standing-front",
                                                          "standing-rear",
                                                          "standing-left",
@@ -20,7 +19,7 @@ constexpr std::array<std::string_view, 9> standing_views{"standing-front",
                                                          "standing-three-quarter-rear-right",
                                                          "top"};
 
-/// What the standing views show of a finding.
+/// A finding as the standing views show it.
 struct Sight {
     double length = 0;  ///< mm, of the finding
     double visible = 0; ///< mm of it that at least one view shows
@@ -46,18 +45,18 @@ struct SightPlace {
     double curvature_b = 0; ///< 1/mm, on the other
 };
 
-/// Looks at findings of a body from the standing views.
+/// The eyes of the standing views about a body.
 class StandingEyes {
 public:
     /// Keeps references to both. `tracer`: of the model.
     StandingEyes(const SurfaceModel& model, const Tracer& tracer);
 
-    /// What is seen of places that belong to one finding.
+    /// Sight of places that belong to one finding.
     Sight sight(std::span<const SightPlace> places) const;
-    /// What is seen of measured stretches, by their indices; of the others nothing.
+    /// Sights of all measured stretches, by their indices; empty for those not in `stretches`.
     std::vector<Sight> sights(const Inspection& inspection,
                               std::span<const std::uint32_t> stretches, const Job& job) const;
-    /// What is seen at the worst place of a check of a face.
+    /// Sight of the worst place of a check of a face or of lines.
     Sight sight(const Inspection& inspection, const Check& check) const;
 
 private:

@@ -16,7 +16,7 @@
 namespace keiko {
 namespace {
 
-/// What the criteria ask for, by their codes. All others ask for another layout.
+/// Mendings of criteria, by their codes. All others ask for another layout.
 constexpr std::array<std::pair<std::string_view, Mending>, 14> mendings{
     {{"G-SU-LG", Mending::position},
      {"KEIKO-OPENING", Mending::position},

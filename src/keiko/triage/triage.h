@@ -10,7 +10,7 @@
 
 namespace KEIKO_API keiko {
 
-/// What a fault asks to be mended.
+/// Kinds of mending, by the property of the surface that is at fault.
 enum class Mending {
     position,  ///< borders that do not meet
     tangent,   ///< a jump of the normal

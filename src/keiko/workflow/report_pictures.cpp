@@ -99,7 +99,7 @@ std::vector<Finding> seam_findings(const Report& report) {
     return all;
 }
 
-/// What the first screen shows, the worst of the seams, faces and crossings that do not pass, and
+/// The items of the first screen, the worst of the seams, faces and crossings that do not pass, and
 /// faces that deserve a look.
 std::vector<Finding> worst_findings(const Report& report) {
     constexpr std::size_t most_crossings = 10;

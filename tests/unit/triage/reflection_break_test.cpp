@@ -11,7 +11,7 @@ namespace keiko {
 namespace {
 
 /// A mirror in the plane, an arc through the origin whose normal there is turned from +y by `turn`
-/// radians; the eye looks at the origin.
+/// radians; the eye sees the origin.
 struct Mirror {
     double curvature; ///< 1/mm; convex to the eye
     double turn;

@@ -86,7 +86,7 @@ constexpr std::size_t worst_seam_count = 5;
 /// Largest number of faults that the first screen shows.
 constexpr std::size_t most_shown = 7;
 
-/// What the first screen shows and pictures number: a fault, or a stretch of a seam.
+/// An item of the first screen, which pictures number: a fault, or a stretch of a seam.
 struct ShownItem {
     const TriageItem* fault = nullptr; ///< null for a stretch without findings
     std::uint32_t seam = no_index;     ///< the stretch that shows most of it

@@ -16,7 +16,7 @@ std::string words_of_view(const std::string& view) {
     return is_between ? "three-quarter " + words : words;
 }
 
-/// What an eye sees of a fault: "curvature · breaks a reflection by 2.8′ in view left · 271.5 mm on
+/// Sight of a fault in words: "curvature · breaks a reflection by 2.8′ in view left · 271.5 mm on
 /// 3 stretches, 96 % of it visible · on both sides".
 std::string sight_text(const TriageItem& item) {
     constexpr double least_width = 0.05; // arc minutes
