@@ -30,8 +30,9 @@ ROOMS = {
     "regress": {"workflow"},
     "api": {"stream", "regress"},
     "cli": {"api", "base"},
+    "python": {"api", "base"},
 }
-FRONT_ENDS = {"cli"}
+FRONT_ENDS = {"cli", "python"}
 CHAMBERS = {
     "geometry": {
         "bernstein": set(),
@@ -119,6 +120,7 @@ EXTERNAL = {
     "nlohmann/": {"files", "report/markup"},
     "Imath/": {"math"},
     "tbb/": {"base"},
+    "pybind11/": {"python"},
     "oneapi/": {"base"},
     "spdlog/": {"base"},
     "fmt/": {"base"},

@@ -1,0 +1,52 @@
+#include "keiko/python/module.h"
+
+#include "keiko/api/results.h"
+#include "keiko/base/error.h"
+
+#include <pybind11/stl/filesystem.h>
+
+#include <exception>
+
+namespace py = pybind11;
+
+namespace keiko::python {
+namespace {
+
+/// keiko.Error of C++'s: one line, with its parts as attributes.
+void raise(const py::object& type, const Error& error) {
+    const py::object raised = type(error.what());
+    raised.attr("file") = error.file();
+    raised.attr("where") = error.where();
+    raised.attr("reason") = error.reason();
+    PyErr_SetObject(type.ptr(), raised.ptr());
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> paths_of(const py::object& input) {
+    if (py::isinstance<py::str>(input) || py::hasattr(input, "__fspath__"))
+        return {input.cast<std::filesystem::path>()};
+    std::vector<std::filesystem::path> paths;
+    for (const py::handle& one : input) paths.push_back(one.cast<std::filesystem::path>());
+    return paths;
+}
+
+} // namespace keiko::python
+
+PYBIND11_MODULE(_keiko, module) {
+    static py::object error = py::reinterpret_borrow<py::object>(
+        PyErr_NewExceptionWithDoc("keiko.Error", "Bad input; one line that names file and reason.",
+                                  PyExc_ValueError, nullptr));
+    module.attr("Error") = error;
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (const keiko::Error& e) {
+            keiko::python::raise(error, e);
+        }
+    });
+    module.def("version", &keiko::version);
+    keiko::python::add_scenes(module);
+    keiko::python::add_inspections(module);
+    keiko::python::add_pictures(module);
+}

@@ -1,0 +1,78 @@
+#include "keiko/api/place.h"
+#include "keiko/api/render.h"
+#include "keiko/python/module.h"
+#include "keiko/python/scene_module.h"
+#include "keiko/python/work.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+namespace py = pybind11;
+
+namespace keiko::python {
+namespace {
+
+/// An image that NumPy sees without a copy, H x W x channels.
+py::array array_of(const Image& image, const py::object& owner) {
+    return py::array_t<float>({image.height, image.width, image.channels}, image.values.data(),
+                              owner);
+}
+
+Camera camera_of(const Scene& scene, const std::string& view, int width, int height) {
+    if (view.empty() && scene.camera) return *scene.camera;
+    const Framing framing{.width = width, .height = height};
+    return frame_view(view.empty() ? scene.view.value_or("three-quarter-front-left") : view,
+                      scene.tracer.bounds(), framing);
+}
+
+LightRig rig_of(const Scene& scene, const std::optional<std::filesystem::path>& rig,
+                const Camera& camera, const Job& job) {
+    if (rig) return read_rig(*rig);
+    if (scene.rig) return *scene.rig;
+    return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
+}
+
+Film render(const OpenScene& open, const std::string& view,
+            const std::optional<std::filesystem::path>& rig, int width, int height,
+            const std::vector<std::string>& aovs, const py::object& progress, int threads) {
+    return run({progress, threads}, [&](const Job& job) {
+        const Scene& scene = *open.scene;
+        const Camera camera = camera_of(scene, view, width, height);
+        PictureOptions options;
+        for (const std::string& name : aovs) options.aovs.push_back(aov_by_name(name));
+        return render_view(scene, rig_of(scene, rig, camera, job), camera,
+                           picture_options(scene, options), job);
+    });
+}
+
+} // namespace
+
+void add_pictures(py::module_& module) {
+    py::class_<Film>(module, "Film")
+        .def_property_readonly(
+            "color",
+            [](const py::object& film) { return array_of(film.cast<const Film&>().color, film); })
+        .def_property_readonly(
+            "alpha",
+            [](const py::object& film) { return array_of(film.cast<const Film&>().alpha, film); })
+        .def_property_readonly("aovs",
+                               [](const py::object& film) {
+                                   py::dict layers;
+                                   for (const auto& [aov, image] : film.cast<const Film&>().aovs)
+                                       layers[py::str(std::string(name_of(aov)))] =
+                                           array_of(image, film);
+                                   return layers;
+                               })
+        .def("__array__",
+             [](const py::object& film, const py::args&, const py::kwargs&) {
+                 return array_of(film.cast<const Film&>().color, film);
+             })
+        .def("_repr_png_",
+             [](const Film& film) { return py::bytes(encode_png(tone_mapped(film))); });
+    module.def("render_film", &render, py::arg("scene"), py::arg("view"), py::arg("rig"),
+               py::arg("width"), py::arg("height"), py::arg("aovs"), py::arg("progress"),
+               py::arg("threads"));
+}
+
+} // namespace keiko::python

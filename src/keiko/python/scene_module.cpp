@@ -1,0 +1,158 @@
+#include "keiko/python/scene_module.h"
+
+#include "keiko/api/trace.h"
+#include "keiko/base/parallel.h"
+#include "keiko/python/module.h"
+#include "keiko/python/work.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <cmath>
+#include <limits>
+
+namespace py = pybind11;
+
+namespace keiko::python {
+namespace {
+
+/// A row of the array of hits.
+struct HitRow {
+    double t;
+    std::uint32_t face, instance, patch, flags;
+    double uv[2], position[3], normal[3];
+    double k1, k2, bound;
+};
+
+void put(const Vec3& from, double (&to)[3]) {
+    to[0] = from.x, to[1] = from.y, to[2] = from.z;
+}
+
+HitRow row_of_nothing() {
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    HitRow row{};
+    row.t = std::numeric_limits<double>::infinity();
+    put(Vec3(none), row.position), put(Vec3(none), row.normal);
+    row.uv[0] = row.uv[1] = row.k1 = row.k2 = row.bound = none;
+    return row;
+}
+
+HitRow row_of(const Scene& scene, const Hit& hit) {
+    HitRow row = row_of_nothing();
+    row.t = hit.t, row.face = scene.face_id(hit.face);
+    row.instance = hit.instance, row.patch = hit.patch;
+    row.flags = static_cast<std::uint32_t>(hit.flags);
+    row.uv[0] = hit.uv.x, row.uv[1] = hit.uv.y;
+    put(hit.position, row.position), put(hit.normal, row.normal);
+    if (hit.second)
+        if (const auto bent = reliable_curvatures(derivatives_of(hit), hit.normal))
+            row.k1 = bent->k1, row.k2 = bent->k2;
+    row.bound = hit.position_bound;
+    return row;
+}
+
+using RayArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+std::vector<Ray> rays_of(const RayArray& array) {
+    if (array.ndim() != 2 || array.shape(1) != 6)
+        throw FieldError("rays", "an array of n rows of 6 is needed: origin and direction");
+    const auto numbers = array.unchecked<2>();
+    std::vector<Ray> rays(static_cast<std::size_t>(array.shape(0)));
+    for (py::ssize_t i = 0; i < array.shape(0); ++i) {
+        const auto at = [&](py::ssize_t k) { return numbers(i, k); };
+        Ray& ray = rays[static_cast<std::size_t>(i)];
+        ray.origin = {at(0), at(1), at(2)}, ray.direction = {at(3), at(4), at(5)};
+    }
+    return rays;
+}
+
+/// The array takes over the rows.
+py::array array_of(std::vector<HitRow> rows) {
+    auto owned = std::make_unique<std::vector<HitRow>>(std::move(rows));
+    const HitRow* data = owned->data();
+    const auto count = static_cast<py::ssize_t>(owned->size());
+    const py::capsule owner(owned.release(),
+                            [](void* p) { delete static_cast<std::vector<HitRow>*>(p); });
+    return py::array_t<HitRow>(count, data, owner);
+}
+
+py::array trace(const OpenScene& open, const RayArray& array, const py::object& progress,
+                int threads) {
+    const std::vector<Ray> rays = rays_of(array);
+    return array_of(run({progress, threads}, [&](const Job& job) {
+        std::vector<HitRow> rows(rays.size());
+        constexpr std::size_t chunk = 4096;
+        parallel_for((rays.size() + chunk - 1) / chunk, job, "trace", [&](std::size_t i) {
+            const std::size_t first = i * chunk, count = std::min(chunk, rays.size() - first);
+            const auto hits = open.scene->tracer.first_hits(std::span(rays).subspan(first, count));
+            for (std::size_t k = 0; k < count; ++k)
+                rows[first + k] = hits[k] ? row_of(*open.scene, *hits[k]) : row_of_nothing();
+        });
+        return rows;
+    }));
+}
+
+OpenScene open(const py::object& input, const std::string& unit, const std::string& axes,
+               const std::string& material, bool shadows, const py::object& progress, int threads) {
+    OpenScene opened{paths_of(input), unit, axes, material, shadows, nullptr};
+    opened.scene = run({progress, threads}, [&](const Job& job) {
+        SceneOptions options;
+        options.load.unit = unit, options.load.axes = axes;
+        options.material = material, options.shadows = shadows;
+        return std::make_shared<const Scene>(open_scene(opened.paths, options, job));
+    });
+    return opened;
+}
+
+/// Number, name and layer of each face.
+py::list faces_of(const OpenScene& open) {
+    py::list faces;
+    for (const Face& face : open.scene->model.faces)
+        faces.append(py::make_tuple(face.id, face.name, face.layer));
+    return faces;
+}
+
+py::array bounds_of(const OpenScene& open) {
+    const Box3& box = open.scene->tracer.bounds();
+    py::array_t<double> array({2, 3});
+    auto numbers = array.mutable_unchecked<2>();
+    for (int k = 0; k < 3; ++k) numbers(0, k) = box.lower[k], numbers(1, k) = box.upper[k];
+    return array;
+}
+
+} // namespace
+
+void add_scenes(py::module_& module) {
+    PYBIND11_NUMPY_DTYPE(HitRow, t, face, instance, patch, flags, uv, position, normal, k1, k2,
+                         bound);
+    module.attr("hit_dtype") = py::dtype::of<HitRow>();
+    py::class_<OpenScene>(module, "Scene")
+        .def("trace", &trace, py::arg("rays"), py::kw_only(), py::arg("progress") = py::none(),
+             py::arg("threads") = 0)
+        .def_property_readonly("faces", &faces_of)
+        .def_property_readonly("bounds", &bounds_of)
+        .def_property_readonly("lost_faces",
+                               [](const OpenScene& open) {
+                                   std::vector<std::string> reasons;
+                                   for (const LostFace& face : open.scene->model.lost_faces)
+                                       reasons.push_back(face.reason);
+                                   return reasons;
+                               })
+        .def_readonly("paths", &OpenScene::paths)
+        .def("__reduce__", [module](const OpenScene& open) {
+            const py::dict options(py::arg("unit") = open.unit, py::arg("axes") = open.axes,
+                                   py::arg("material") = open.material,
+                                   py::arg("shadows") = open.shadows);
+            return py::make_tuple(module.attr("_reopen"), py::make_tuple(open.paths, options));
+        });
+    module.def("open_scene", &open, py::arg("input"), py::kw_only(), py::arg("unit") = "",
+               py::arg("axes") = "", py::arg("material") = SceneOptions{}.material,
+               py::arg("shadows") = false, py::arg("progress") = py::none(),
+               py::arg("threads") = 0);
+    module.def("_reopen", [module](const py::object& paths, const py::dict& options) {
+        return module.attr("open_scene")(paths, **options);
+    });
+}
+
+} // namespace keiko::python

@@ -1,0 +1,214 @@
+"""The Python module beside the command line, on the surfaces of the repository.
+
+usage: module_test.py KEIKO
+"""
+import inspect as introspect
+import os
+import pickle
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import keiko
+
+ROOT = Path(__file__).resolve().parents[2]
+CAR = ROOT / "surfaces/concept-car.step"
+PROGRAM = sys.argv.pop(1)
+SHEETS = "2\n1 1\n0 0 0\n0 100 0\n300 0 0\n300 100 0\n1 1\n0 0 0\n0 -100 {z}\n300 0 0\n300 -100 {z}\n"
+
+
+def told(*arguments) -> bytes:
+    return subprocess.run([PROGRAM, *map(str, arguments)], stdout=subprocess.PIPE, check=False).stdout
+
+
+class ModuleTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.sheets = Path(cls.folder.name) / "sheets.bpt"
+        cls.sheets.write_text(SHEETS.format(z=1), encoding="utf-8")
+        cls.scene = keiko.open_scene(cls.sheets)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_version_is_that_of_the_program(self):
+        self.assertIn(keiko.version(), told("--version").decode())
+
+    def test_scene_has_faces_and_bounds(self):
+        self.assertEqual([face[0] for face in self.scene.faces], [1, 2])
+        np.testing.assert_allclose(self.scene.bounds, [[0, -100, 0], [300, 100, 1]], atol=1e-9)
+        self.assertEqual(self.scene.paths, [self.sheets])
+        self.assertEqual(self.scene.lost_faces, [])
+
+    def test_hits_of_planes_are_exact(self):
+        rng = np.random.default_rng(1)
+        count = 20000
+        rays = np.column_stack([rng.uniform(-10, 310, count), rng.uniform(-110, 110, count), np.full(count, 50.0),
+                                np.zeros((count, 2)), np.full(count, -2.0)])
+        hits = self.scene.trace(rays)
+        self.assertEqual(hits.dtype, keiko.hit_dtype)
+        x, y = rays[:, 0], rays[:, 1]
+        inside = (x > 0) & (x < 300) & (abs(y) < 100)
+        np.testing.assert_array_equal(np.isfinite(hits["t"]), inside)
+        z = np.where(y > 0, 0, -y / 100)
+        np.testing.assert_allclose(hits["t"][inside], (50 - z[inside]) / 2, rtol=1e-12)
+        np.testing.assert_array_equal(hits["face"][inside], np.where(y[inside] > 0, 1, 2))
+        np.testing.assert_allclose(hits["position"][inside, 2], z[inside], atol=1e-10)
+        np.testing.assert_allclose(abs(hits["k1"][inside]), 0, atol=1e-12)
+        self.assertTrue((hits["bound"][inside] < 1e-6).all())
+        self.assertTrue(np.isnan(hits["position"][~inside]).all())
+        self.assertTrue((hits["face"][~inside] == 0).all())
+
+    def test_hits_do_not_depend_on_threads_and_outlive_the_scene(self):
+        scene = keiko.open_scene(CAR)
+        low, high = scene.bounds
+        rng = np.random.default_rng(2)
+        origins = rng.uniform(low - 500, high + 500, (5000, 3))
+        rays = np.hstack([origins, rng.uniform(low, high, (5000, 3)) - origins])
+        hits = scene.trace(rays, threads=1)
+        np.testing.assert_array_equal(hits, scene.trace(rays, threads=2))
+        del scene
+        found = hits[np.isfinite(hits["t"])]
+        self.assertGreater(len(found), 1000)
+        on_ray = rays[np.isfinite(hits["t"])]
+        np.testing.assert_allclose(on_ray[:, :3] + found["t"][:, None] * on_ray[:, 3:], found["position"],
+                                   atol=1e-5)
+        np.testing.assert_allclose(np.linalg.norm(found["normal"], axis=1), 1, atol=1e-12)
+
+    def test_hits_are_those_of_the_program(self):
+        rays = np.array([[150, 50, 40, 0.1, 0.2, -1], [150, -50, 40, 0, 0, -1], [0, 0, -5, 0, 0, -1]])
+        path = Path(self.folder.name) / "rays.txt"
+        np.savetxt(path, rays, fmt="%.17g")
+        rows = subprocess.run([PROGRAM, "trace", self.sheets, "--columns", "t,face,x,y,z"], stdin=open(path, "rb"),
+                              stdout=subprocess.PIPE, check=True).stdout.decode().splitlines()[1:]
+        hits = self.scene.trace(rays)
+        for row, hit in zip(rows, hits):
+            cells = row.split(",")
+            if not cells[0]:
+                self.assertEqual(hit["t"], np.inf)
+                continue
+            self.assertEqual([float(cells[0]), int(cells[1]), *map(float, cells[2:])],
+                             [hit["t"], hit["face"], *hit["position"]])
+
+    def test_rays_of_another_shape_are_refused(self):
+        with self.assertRaisesRegex(keiko.Error, "rays: an array of n rows of 6"):
+            self.scene.trace(np.zeros((4, 5)))
+
+    def test_check_is_that_of_the_program(self):
+        checked = keiko.check(self.sheets)
+        path = Path(self.folder.name) / "check.json"
+        told("check", self.sheets, "--json", path, "-q")
+        self.assertEqual(checked.to_json(), path.read_text(encoding="utf-8"))
+        self.assertEqual(checked.verdict, "fail")
+        self.assertEqual(checked.findings[0]["code"], "G-SU-NT")
+        self.assertAlmostEqual(checked.seams[0]["angle"]["value"], np.degrees(np.arctan(0.01)), places=9)
+        self.assertIn("G-SU-NT", checked._repr_html_())
+        self.assertEqual(pickle.loads(pickle.dumps(checked)).to_dict(), checked.to_dict())
+        self.assertEqual(keiko.check([self.sheets], "class-b").verdict, "fail")
+
+    def test_inspect_is_that_of_the_program(self):
+        out, ours = Path(self.folder.name) / "out", Path(self.folder.name) / "ours"
+        told("inspect", self.sheets, "-o", out, "-q", "--view", "top")
+        report = keiko.inspect(self.scene, views=["top"])
+        report.write(ours)
+        self.assertEqual(sorted(p.name for p in ours.iterdir()), sorted(p.name for p in out.iterdir()))
+        for path in out.iterdir():
+            self.assertEqual((ours / path.name).read_bytes(), path.read_bytes(), path.name)
+        self.assertEqual(report.html, (out / "report.html").read_text(encoding="utf-8"))
+        self.assertTrue(report._repr_html_().startswith("<iframe"))
+        self.assertEqual(pickle.loads(pickle.dumps(report)).verdict, report.verdict)
+
+    def test_pictures_are_arrays(self):
+        film = keiko.render(self.scene, "top", width=64, height=36, aovs=["depth", "normal"])
+        picture = np.asarray(film)
+        self.assertEqual((picture.shape, picture.dtype), ((36, 64, 3), np.float32))
+        self.assertTrue(np.isfinite(picture).all())
+        self.assertGreater(film.alpha.mean(), 0.3)
+        self.assertEqual(film.aovs["normal"].shape, (36, 64, 3))
+        self.assertEqual(film._repr_png_()[1:4], b"PNG")
+        path = Path(self.folder.name) / "picture.png"
+        told("render", self.sheets, "--view", "top", "--size", "64x36", "-o", path, "-q")
+        self.assertEqual(film._repr_png_(), path.read_bytes())
+        color = film.color
+        del film
+        self.assertTrue(np.isfinite(color).all(), "the array keeps the film")
+
+    def test_scenes_are_picklable(self):
+        again = pickle.loads(pickle.dumps(self.scene))
+        np.testing.assert_array_equal(again.bounds, self.scene.bounds)
+
+    def test_errors_have_parts(self):
+        missing = Path(self.folder.name) / "missing.step"
+        with self.assertRaises(keiko.Error) as caught:
+            keiko.open_scene(missing)
+        self.assertEqual(caught.exception.file, str(missing))
+        self.assertTrue(caught.exception.reason)
+        self.assertIsInstance(caught.exception, ValueError)
+        with self.assertRaises(keiko.Error):
+            keiko.check(self.sheets, "no-such-preset")
+        with self.assertRaises(TypeError):
+            keiko.open_scene(7)
+
+    def test_progress_is_told_and_may_stop(self):
+        stages = []
+        keiko.open_scene(CAR, progress=lambda stage, share: stages.append((stage, share)))
+        self.assertTrue(stages)
+        self.assertTrue(all(0 <= share <= 1 for _, share in stages))
+
+        def refuse(stage, share):
+            raise RuntimeError("enough")
+        with self.assertRaisesRegex(RuntimeError, "enough"):
+            keiko.inspect(CAR, progress=refuse)
+
+    def test_interrupts_end_long_work(self):
+        def interrupt():
+            time.sleep(1.0)
+            os.kill(os.getpid(), signal.SIGINT)
+        begin = time.monotonic()
+        threading.Thread(target=interrupt).start()
+        with self.assertRaises(KeyboardInterrupt):
+            while True:
+                keiko.inspect(CAR)
+        self.assertLess(time.monotonic() - begin, 30)
+
+    def test_other_threads_run_meanwhile(self):
+        count = 0
+        done = threading.Event()
+
+        def work():
+            keiko.open_scene(CAR)
+            done.set()
+        thread = threading.Thread(target=work)
+        thread.start()
+        while not done.wait(0.001):
+            count += 1
+        thread.join()
+        self.assertGreater(count, 10)
+
+    def test_stubs_name_what_there_is(self):
+        stub = (Path(keiko.__file__).parent / "__init__.pyi").read_text(encoding="utf-8")
+        for name in keiko.__all__:
+            self.assertRegex(stub, rf"(def|class) {name}\b|^{name}:", name)
+        for name in ("check", "inspect", "render"):
+            arguments = list(introspect.signature(getattr(keiko, name)).parameters)
+            written = re.search(rf"def {name}\((.*?)\) ->", stub, re.S)[1]
+            self.assertEqual(re.findall(r"(\w+)(?=: )", written), arguments)
+        for cls in (keiko.Scene, keiko.Film, keiko.Check, keiko.Report):
+            body = re.search(rf"^class {cls.__name__}\b.*?(?=^\S|\Z)", stub, re.S | re.M)[0]
+            for name in vars(cls):
+                if not name.startswith("_") and not name.startswith("pybind"):
+                    self.assertIn(f"def {name}(", body, f"{cls.__name__}.{name}")
+
+
+if __name__ == "__main__":
+    unittest.main()
