@@ -140,19 +140,17 @@ void add_scenes(py::module_& module) {
                                    return reasons;
                                })
         .def_readonly("paths", &OpenScene::paths)
-        .def("__reduce__", [module](const OpenScene& open) {
+        .def("__reduce__", [](const OpenScene& open) {
             const py::dict options(py::arg("unit") = open.unit, py::arg("axes") = open.axes,
                                    py::arg("material") = open.material,
                                    py::arg("shadows") = open.shadows);
-            return py::make_tuple(module.attr("_reopen"), py::make_tuple(open.paths, options));
+            return py::make_tuple(py::module_::import("keiko").attr("_reopen"),
+                                  py::make_tuple(open.paths, options));
         });
     module.def("open_scene", &open, py::arg("input"), py::kw_only(), py::arg("unit") = "",
                py::arg("axes") = "", py::arg("material") = SceneOptions{}.material,
                py::arg("shadows") = false, py::arg("progress") = py::none(),
                py::arg("threads") = 0);
-    module.def("_reopen", [module](const py::object& paths, const py::dict& options) {
-        return module.attr("open_scene")(paths, **options);
-    });
 }
 
 } // namespace keiko::python

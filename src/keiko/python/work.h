@@ -14,7 +14,7 @@
 
 namespace keiko::python {
 
-/// What long functions take beside their own arguments.
+/// Arguments that every long function has besides its own.
 struct WorkOptions {
     pybind11::object progress; ///< called with stage and fraction, or None
     int threads = 0;           ///< 0: one a core

@@ -92,6 +92,11 @@ class Report(Check):
                 'frameborder="0"></iframe>')
 
 
+def _reopen(paths, options) -> Scene:
+    """A scene from a pickle."""
+    return open_scene(paths, **options)
+
+
 def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str = "", axes: str = "",
           progress=None, threads: int = 0) -> Check:
     """Judges the geometry of model files, or of one scene file, by a preset or a preset file."""
