@@ -159,6 +159,40 @@ class ModuleTest(unittest.TestCase):
         del film
         self.assertTrue(np.isfinite(color).all(), "the array keeps the film")
 
+    def test_placed_lamps_serve_lines(self):
+        placed = keiko.place(self.scene, views=["top"])
+        rig = Path(self.folder.name) / "placed.toml"
+        told("place", self.sheets, "-o", rig, "--view", "top", "-q")
+        self.assertEqual(placed.rig, rig.read_text(encoding="utf-8"))
+        self.assertGreater(placed.coverage, 0.9)
+        lines = keiko.lines(self.scene, rig, views=["top"])
+        path = Path(self.folder.name) / "lines.json"
+        told("lines", self.sheets, "--rig", rig, "--view", "top", "-o", path, "-q")
+        self.assertEqual(lines.to_json(), path.read_text(encoding="utf-8"))
+        self.assertEqual(lines.verdict, "pass")
+        self.assertEqual(sum(lines.to_dict()["counts"].values()), 0, "the lamps run along the seam")
+        with self.assertRaises(keiko.Error):
+            keiko.lines(self.scene)
+
+    def test_comparison_is_that_of_the_program(self):
+        path, revised = Path(self.folder.name) / "compare.json", Path(self.folder.name) / "revised.bpt"
+        revised.write_text(SHEETS.format(z=1.5), encoding="utf-8")
+        told("compare", self.sheets, revised, "--json", path, "-q")
+        compared = keiko.compare(self.sheets, revised)
+        self.assertEqual(compared.to_json(), path.read_text(encoding="utf-8"))
+        self.assertNotEqual(compared.verdict, keiko.compare(self.sheets, self.sheets).verdict)
+
+    def test_illuminance_is_that_of_the_program(self):
+        scene = ROOT / "surfaces/hood-scene.toml"
+        points, normals = [[0, 0, 900], [100, 50, 950.5]], [[0, 0, 1], [0, 0.6, 0.8]]
+        found = keiko.illuminance(keiko.open_scene(scene), points, normals)
+        text = "".join(",".join(map(str, p + n)) + "\n" for p, n in zip(points, normals))
+        run = subprocess.run([PROGRAM, "illuminance", scene], input=text.encode(), stdout=subprocess.PIPE, check=True)
+        header, *rows = run.stdout.decode().splitlines()
+        self.assertEqual(list(found.dtype.names), header.split(","))
+        self.assertEqual([list(row) for row in found.tolist()], [list(map(float, row.split(","))) for row in rows])
+        self.assertGreater(found["sum"].min(), 0)
+
     def test_scenes_are_picklable(self):
         again = pickle.loads(pickle.dumps(self.scene))
         np.testing.assert_array_equal(again.bounds, self.scene.bounds)
@@ -215,11 +249,11 @@ class ModuleTest(unittest.TestCase):
         stub = (Path(keiko.__file__).parent / "__init__.pyi").read_text(encoding="utf-8")
         for name in keiko.__all__:
             self.assertRegex(stub, rf"(?m)^(def |class )?{name}\b", name)
-        for name in ("check", "inspect", "render"):
+        for name in ("check", "compare", "illuminance", "inspect", "lines", "render"):
             arguments = list(introspect.signature(getattr(keiko, name)).parameters)
             written = re.search(rf"def {name}\((.*?)\) ->", stub, re.S)[1]
             self.assertEqual(re.findall(r"(\w+)(?=: )", written), arguments)
-        for cls in (keiko.Scene, keiko.Film, keiko.Check, keiko.Report):
+        for cls in (keiko.Scene, keiko.Film, keiko.Placement, keiko.Document, keiko.Check, keiko.Report):
             body = re.search(rf"^class {cls.__name__}\b.*?(?=^\S|\Z)", stub, re.S | re.M)[0]
             for name in vars(cls):
                 if not name.startswith("_") and not name.startswith("pybind"):

@@ -49,4 +49,5 @@ PYBIND11_MODULE(_keiko, module) {
     keiko::python::add_scenes(module);
     keiko::python::add_inspections(module);
     keiko::python::add_pictures(module);
+    keiko::python::add_verbs(module);
 }

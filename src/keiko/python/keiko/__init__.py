@@ -7,15 +7,19 @@ import html as _html
 import json as _json
 import os as _os
 
-from ._keiko import Error, Film, Scene, check_json, hit_dtype, inspect_texts, open_scene, render_film, version
+import numpy as _np
+
+from ._keiko import (Error, Film, Placement, Scene, check_json, compare_json, hit_dtype, illuminance_rows,
+                     inspect_texts, lines_json, open_scene, place, render_film, version)
 
 __version__ = version()
-__all__ = ["Check", "Error", "Film", "Report", "Scene", "check", "hit_dtype", "inspect", "open_scene",
-           "render", "version"]
+__all__ = ["Check", "Comparison", "Document", "Error", "Film", "Lines", "Placement", "Report", "Scene", "check",
+           "compare", "hit_dtype", "illuminance", "inspect", "lines", "open_scene", "place", "render",
+           "version"]
 
 
-class Check:
-    """A body judged by criteria: the keys and values of `keiko check --json`."""
+class Document:
+    """A result with the keys and values of the JSON that the command line writes."""
 
     def __init__(self, text: str):
         self._text = text
@@ -23,8 +27,26 @@ class Check:
 
     @property
     def verdict(self) -> str:
-        """"pass", "undecided" or "fail"."""
+        """"pass", "undecided" or "fail"; of a comparison "same" or "different"."""
         return self._values["verdict"]
+
+    def to_json(self) -> str:
+        """The text of the JSON document."""
+        return self._text
+
+    def to_dict(self) -> dict:
+        """The whole document."""
+        return self._values
+
+    def __reduce__(self):
+        return type(self), (self._text,)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {self.verdict}>"
+
+
+class Check(Document):
+    """A body judged by criteria, as `keiko check --json` has it."""
 
     @property
     def findings(self) -> list:
@@ -40,17 +62,6 @@ class Check:
     def faces(self) -> list:
         """Every placed face with its curvature and flaws."""
         return self._values["faces"]
-
-    def to_json(self) -> str:
-        """The text of the JSON document."""
-        return self._text
-
-    def to_dict(self) -> dict:
-        """The whole document."""
-        return self._values
-
-    def __reduce__(self):
-        return type(self), (self._text,)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.verdict}, {len(self.findings)} findings>"
@@ -92,6 +103,14 @@ class Report(Check):
                 'frameborder="0"></iframe>')
 
 
+class Lines(Document):
+    """Lines of the lamps on a body, as `keiko lines` writes them."""
+
+
+class Comparison(Document):
+    """Two revisions of a part, as `keiko compare --json` has them."""
+
+
 def _reopen(paths, options) -> Scene:
     """A scene from a pickle."""
     return open_scene(paths, **options)
@@ -110,6 +129,32 @@ def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=()
         scene = open_scene(scene, progress=progress, threads=threads)
     texts = inspect_texts(scene, preset, join, list(views), rig, progress, threads)
     return Report(texts.json, texts.html, texts.files("."))
+
+
+def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), join: float = 0.5, progress=None,
+          threads: int = 0) -> Lines:
+    """Follows the reflections of lamps on the surfaces and judges them where they cross seams."""
+    if not isinstance(scene, Scene):
+        scene = open_scene(scene, progress=progress, threads=threads)
+    return Lines(lines_json(scene, rig, list(views), preset, join, progress, threads))
+
+
+def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, align: bool = False,
+            progress=None, threads: int = 0) -> Comparison:
+    """Compares the geometry, seams and findings of two model files or scene files."""
+    return Comparison(compare_json(before, after, preset, join, align, progress, threads))
+
+
+def illuminance(scene, points, normals, *, progress=None, threads: int = 0):
+    """Illuminance in lx at points (n, 3), in mm, with unit normals (n, 3), by the scene's lamps.
+
+    Returns a structured array of n rows: a column for each source, "c_plane.0", and "sum".
+    """
+    rows = _np.hstack([_np.asarray(points, float), _np.asarray(normals, float)])
+    header, *values = illuminance_rows(scene, rows, progress, threads).splitlines()
+    names = header.split(",")
+    return _np.array([tuple(map(float, row.split(","))) for row in values],
+                     dtype=[(name, float) for name in names])
 
 
 def render(scene, view: str = "", *, rig=None, width: int = 960, height: int = 540, aovs=(),

@@ -1,0 +1,124 @@
+#include "keiko/api/compare.h"
+#include "keiko/api/light.h"
+#include "keiko/api/lines.h"
+#include "keiko/api/place.h"
+#include "keiko/python/module.h"
+#include "keiko/python/scene_module.h"
+#include "keiko/python/work.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+
+namespace py = pybind11;
+
+namespace keiko::python {
+namespace {
+
+using NumberRows = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// Placed lamps, and how much of the body they reach.
+struct PlacedLamps {
+    LightRig rig;
+    double coverage = 0;
+    std::vector<std::string> remarks;
+};
+
+PlacedLamps place(const OpenScene& open, const std::vector<std::string>& views, int lamps,
+                  int planes, const py::object& progress, int threads) {
+    return run({progress, threads}, [&](const Job& job) {
+        PlaceOptions options;
+        options.views = views;
+        options.placement.lamps = lamps, options.placement.planes = planes;
+        Placement placement = place_scene(*open.scene, options, job).placement;
+        PlacedLamps placed{std::move(placement.rig), placement.coverage, {}};
+        for (const Diagnostic& remark : placement.diagnostics)
+            placed.remarks.push_back(remark.entity + ": " + remark.message);
+        return placed;
+    });
+}
+
+std::string lines(const OpenScene& open, const std::optional<std::filesystem::path>& rig,
+                  const std::vector<std::string>& views, const std::string& preset, double join,
+                  const py::object& progress, int threads) {
+    return run({progress, threads}, [&](const Job& job) {
+        LinesOptions options;
+        options.views = views, options.rig = rig, options.join = join;
+        options.preset = preset_by_name_or_file(preset);
+        return lines_json(find_lines(*open.scene, options, job), open.scene->model);
+    });
+}
+
+std::string compare(const std::filesystem::path& before, const std::filesystem::path& after,
+                    const std::string& preset, double join, bool align, const py::object& progress,
+                    int threads) {
+    return run({progress, threads}, [&](const Job& job) {
+        CompareBodiesOptions options;
+        options.preset = preset_by_name_or_file(preset), options.join = join;
+        options.align = align;
+        return comparison_json(compare_bodies(before, after, options, job).comparison);
+    });
+}
+
+/// Lines of six numbers, as streams of points have them.
+std::string lines_of(const NumberRows& array) {
+    if (array.ndim() != 2 || array.shape(1) != 6)
+        throw FieldError("points", "an array of n rows of 6 is needed: point and normal");
+    const auto numbers = array.unchecked<2>();
+    std::string text;
+    for (py::ssize_t i = 0; i < array.shape(0); ++i)
+        for (py::ssize_t k = 0; k < 6; ++k) {
+            std::array<char, 32> digits;
+            char* const begin = digits.data();
+            text.append(begin, std::to_chars(begin, begin + digits.size(), numbers(i, k)).ptr);
+            text += k < 5 ? ',' : '\n';
+        }
+    return text;
+}
+
+/// The rows of light_points, which Python reads.
+std::string illuminance(const OpenScene& open, const NumberRows& points, const py::object& progress,
+                        int threads) {
+    const std::string asked = lines_of(points);
+    return run({progress, threads}, [&](const Job& job) {
+        std::size_t at = 0;
+        std::string rows;
+        light_points(
+            *open.scene,
+            [&](std::span<char> into) {
+                const std::size_t count = asked.copy(into.data(), into.size(), at);
+                at += count;
+                return count;
+            },
+            [&](std::string_view more) {
+                rows += more;
+                return true;
+            },
+            job);
+        return rows;
+    });
+}
+
+} // namespace
+
+void add_verbs(py::module_& module) {
+    py::class_<PlacedLamps>(module, "Placement")
+        .def_readonly("coverage", &PlacedLamps::coverage)
+        .def_readonly("remarks", &PlacedLamps::remarks)
+        .def_property_readonly("rig",
+                               [](const PlacedLamps& placed) { return rig_text(placed.rig); });
+    module.def("place", &place, py::arg("scene"), py::kw_only(),
+               py::arg("views") = std::vector<std::string>{},
+               py::arg("lamps") = PlacementOptions{}.lamps,
+               py::arg("planes") = PlacementOptions{}.planes, py::arg("progress") = py::none(),
+               py::arg("threads") = 0);
+    module.def("lines_json", &lines);
+    module.def("compare_json", &compare);
+    module.def("illuminance_rows", &illuminance);
+}
+
+} // namespace keiko::python
