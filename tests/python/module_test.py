@@ -3,6 +3,7 @@
 usage: module_test.py KEIKO
 """
 import inspect as introspect
+import json
 import os
 import pickle
 import re
@@ -182,6 +183,23 @@ class ModuleTest(unittest.TestCase):
         self.assertEqual(compared.to_json(), path.read_text(encoding="utf-8"))
         self.assertNotEqual(compared.verdict, keiko.compare(self.sheets, self.sheets).verdict)
 
+    def test_info_is_that_of_the_program(self):
+        facts = keiko.info(self.sheets)
+        self.assertEqual(facts.to_json(), told("info", self.sheets, "--json", "-q").decode())
+        self.assertEqual(facts.to_dict()["faces"], 2)
+
+    def test_regress_is_that_of_the_program(self):
+        suite = ROOT / "surfaces"
+        ours, out = Path(self.folder.name) / "regress", Path(self.folder.name) / "regress-program"
+        name = "seam-g0-gap"
+        found = keiko.regress(suite, ours, only=[name])
+        told("regress", suite, "-o", out, "--only", name, "-q")
+        self.assertEqual(found.to_json(), (ours / "regression.json").read_text(encoding="utf-8"))
+        values, of_program = found.to_dict(), json.loads((out / "regression.json").read_bytes())
+        self.assertNotEqual(values.pop("suite_key"), of_program.pop("suite_key"), "of another binary")
+        self.assertEqual(values, of_program)
+        self.assertIn(found.state, ("same", "different", "missing"))
+
     def test_illuminance_is_that_of_the_program(self):
         scene = ROOT / "surfaces/hood-scene.toml"
         points, normals = [[0, 0, 900], [100, 50, 950.5]], [[0, 0, 1], [0, 0.6, 0.8]]
@@ -249,11 +267,11 @@ class ModuleTest(unittest.TestCase):
         stub = (Path(keiko.__file__).parent / "__init__.pyi").read_text(encoding="utf-8")
         for name in keiko.__all__:
             self.assertRegex(stub, rf"(?m)^(def |class )?{name}\b", name)
-        for name in ("check", "compare", "illuminance", "inspect", "lines", "render"):
+        for name in ("check", "compare", "illuminance", "info", "inspect", "lines", "regress", "render"):
             arguments = list(introspect.signature(getattr(keiko, name)).parameters)
             written = re.search(rf"def {name}\((.*?)\) ->", stub, re.S)[1]
             self.assertEqual(re.findall(r"(\w+)(?=: )", written), arguments)
-        for cls in (keiko.Scene, keiko.Film, keiko.Placement, keiko.Document, keiko.Check, keiko.Report):
+        for cls in (keiko.Scene, keiko.Film, keiko.Placement, keiko.Document, keiko.Regression, keiko.Check, keiko.Report):
             body = re.search(rf"^class {cls.__name__}\b.*?(?=^\S|\Z)", stub, re.S | re.M)[0]
             for name in vars(cls):
                 if not name.startswith("_") and not name.startswith("pybind"):

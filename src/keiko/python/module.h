@@ -14,7 +14,7 @@ std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 void add_scenes(pybind11::module_& module);
 /// The functions check and inspect, and the class InspectedBody.
 void add_inspections(pybind11::module_& module);
-/// The functions place, lines, compare and illuminance.
+/// The functions place, lines, compare, info, regress and illuminance.
 void add_verbs(pybind11::module_& module);
 /// The function render and the class Picture.
 void add_pictures(pybind11::module_& module);

@@ -1,7 +1,9 @@
 #include "keiko/api/compare.h"
 #include "keiko/api/light.h"
 #include "keiko/api/lines.h"
+#include "keiko/api/model.h"
 #include "keiko/api/place.h"
+#include "keiko/api/regress.h"
 #include "keiko/python/module.h"
 #include "keiko/python/scene_module.h"
 #include "keiko/python/work.h"
@@ -64,6 +66,26 @@ std::string compare(const std::filesystem::path& before, const std::filesystem::
     });
 }
 
+std::string info(const std::filesystem::path& file, const std::string& unit,
+                 const std::string& axes, double join, const py::object& progress, int threads) {
+    return run({progress, threads}, [&](const Job& job) {
+        FactsOptions options;
+        options.load.unit = unit, options.load.axes = axes, options.join = join;
+        return facts_json(model_info(file, options, job));
+    });
+}
+
+std::string regress(const std::filesystem::path& suite, const std::filesystem::path& output,
+                    const std::filesystem::path& baselines, const std::vector<std::string>& only,
+                    bool fresh, const py::object& progress, int threads) {
+    return run({progress, threads}, [&](const Job& job) {
+        RegressOptions options;
+        options.suite = suite, options.output = output, options.baselines = baselines;
+        options.only = only, options.fresh = fresh;
+        return regression_json(run_regression(options, job));
+    });
+}
+
 /// Lines of six numbers, as streams of points have them.
 std::string lines_of(const NumberRows& array) {
     if (array.ndim() != 2 || array.shape(1) != 6)
@@ -118,6 +140,8 @@ void add_verbs(py::module_& module) {
                py::arg("threads") = 0);
     module.def("lines_json", &lines);
     module.def("compare_json", &compare);
+    module.def("info_json", &info);
+    module.def("regress_json", &regress);
     module.def("illuminance_rows", &illuminance);
 }
 

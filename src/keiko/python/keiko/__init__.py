@@ -10,12 +10,12 @@ import os as _os
 import numpy as _np
 
 from ._keiko import (Error, Film, Placement, Scene, check_json, compare_json, hit_dtype, illuminance_rows,
-                     inspect_texts, lines_json, open_scene, place, render_film, version)
+                     info_json, inspect_texts, lines_json, open_scene, place, regress_json, render_film, version)
 
 __version__ = version()
-__all__ = ["Check", "Comparison", "Document", "Error", "Film", "Lines", "Placement", "Report", "Scene", "check",
-           "compare", "hit_dtype", "illuminance", "inspect", "lines", "open_scene", "place", "render",
-           "version"]
+__all__ = ["Check", "Comparison", "Document", "Error", "Film", "Facts", "Lines", "Placement", "Regression", "Report", "Scene",
+           "check", "compare", "hit_dtype", "illuminance", "info", "inspect", "lines", "open_scene", "place",
+           "regress", "render", "version"]
 
 
 class Document:
@@ -24,11 +24,6 @@ class Document:
     def __init__(self, text: str):
         self._text = text
         self._values = _json.loads(text)
-
-    @property
-    def verdict(self) -> str:
-        """"pass", "undecided" or "fail"; of a comparison "same" or "different"."""
-        return self._values["verdict"]
 
     def to_json(self) -> str:
         """The text of the JSON document."""
@@ -42,10 +37,22 @@ class Document:
         return type(self), (self._text,)
 
     def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {len(self._text)} bytes>"
+
+
+class Judged(Document):
+    """A document with a verdict."""
+
+    @property
+    def verdict(self) -> str:
+        """"pass", "undecided" or "fail"; of a comparison "same" or "different"."""
+        return self._values["verdict"]
+
+    def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.verdict}>"
 
 
-class Check(Document):
+class Check(Judged):
     """A body judged by criteria, as `keiko check --json` has it."""
 
     @property
@@ -103,12 +110,25 @@ class Report(Check):
                 'frameborder="0"></iframe>')
 
 
-class Lines(Document):
+class Lines(Judged):
     """Lines of the lamps on a body, as `keiko lines` writes them."""
 
 
-class Comparison(Document):
+class Comparison(Judged):
     """Two revisions of a part, as `keiko compare --json` has them."""
+
+
+class Facts(Document):
+    """Contents of a model file, as `keiko info --json` has them."""
+
+
+class Regression(Document):
+    """A suite held against its baselines, as regression.json has it."""
+
+    @property
+    def state(self) -> str:
+        """"same", "different", "missing" or "error": the worst of all fixtures."""
+        return self._values["state"]
 
 
 def _reopen(paths, options) -> Scene:
@@ -143,6 +163,18 @@ def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, 
             progress=None, threads: int = 0) -> Comparison:
     """Compares the geometry, seams and findings of two model files or scene files."""
     return Comparison(compare_json(before, after, preset, join, align, progress, threads))
+
+
+def info(file, *, unit: str = "", axes: str = "", join: float = 0.5, progress=None,
+         threads: int = 0) -> Facts:
+    """Summarises a model file: faces, patches, borders, losses and repairs."""
+    return Facts(info_json(file, unit, axes, join, progress, threads))
+
+
+def regress(suite, output="keiko-regress", *, baselines="", only=(), fresh: bool = False,
+            progress=None, threads: int = 0) -> Regression:
+    """Runs the fixtures of a folder and holds them against their baselines."""
+    return Regression(regress_json(suite, output, baselines, list(only), fresh, progress, threads))
 
 
 def illuminance(scene, points, normals, *, progress=None, threads: int = 0):
