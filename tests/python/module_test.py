@@ -42,6 +42,26 @@ class PageTest(unittest.TestCase):
         self.assertRegex(run.stdout, r"highest point \[.*\]\n(pass|undecided|fail) \d+ ")
 
 
+class InstallTest(unittest.TestCase):
+    def test_installed_package_needs_nothing_beside_it(self):
+        build = Path(keiko.__file__).resolve().parents[2]
+        with tempfile.TemporaryDirectory() as folder:
+            install = subprocess.run(["cmake", "--install", build, "--component", "python", "--prefix", folder],
+                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+            self.assertEqual(install.returncode, 0, install.stdout)
+            script = f"import keiko; print(keiko.__file__, len(keiko.open_scene({str(CAR)!r}).faces))"
+            environment = {key: value for key, value in os.environ.items() if key != "KEIKO_IMPORT"}
+            environment["PYTHONPATH"] = folder
+            run = subprocess.run([sys.executable, "-B", "-c", script], env=environment, cwd=folder,
+                                 stdout=subprocess.PIPE, text=True, check=True)
+            where, faces = run.stdout.split()
+            self.assertTrue(where.startswith(folder))
+            self.assertEqual(int(faces), len(keiko.open_scene(CAR).faces))
+            linked = subprocess.run(["ldd", *Path(folder, "keiko").glob("_keiko*.so")], stdout=subprocess.PIPE,
+                                    text=True, check=True)
+            self.assertIn(folder, re.search(r"libkeiko\S* => (\S+)", linked.stdout)[1])
+
+
 class ModuleTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

@@ -2,7 +2,6 @@
 #include "keiko/api/inspect.h"
 #include "keiko/api/results.h"
 #include "keiko/python/module.h"
-#include "keiko/python/scene_module.h"
 #include "keiko/python/work.h"
 
 #include <pybind11/stl.h>

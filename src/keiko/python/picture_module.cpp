@@ -1,7 +1,6 @@
 #include "keiko/api/place.h"
 #include "keiko/api/render.h"
 #include "keiko/python/module.h"
-#include "keiko/python/scene_module.h"
 #include "keiko/python/work.h"
 
 #include <pybind11/numpy.h>

@@ -1,5 +1,3 @@
-#include "keiko/python/scene_module.h"
-
 #include "keiko/api/trace.h"
 #include "keiko/base/parallel.h"
 #include "keiko/python/module.h"

@@ -5,7 +5,6 @@
 #include "keiko/api/place.h"
 #include "keiko/api/regress.h"
 #include "keiko/python/module.h"
-#include "keiko/python/scene_module.h"
 #include "keiko/python/work.h"
 
 #include <pybind11/numpy.h>
