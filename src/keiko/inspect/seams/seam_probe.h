@@ -81,7 +81,8 @@ public:
     Vec3 place(double t) const { return a_.at(t).position; }
     /// Derivative of side a at parameter t, mm a unit of it; 0 where it is stationary. World.
     Vec3 run(double t) const { return a_.at(t).first; }
-    /// Frame of side a at parameter t; nullopt where the curve is stationary or the surface singular.
+    /// Frame of side a at parameter t; nullopt where the curve is stationary or the surface
+    /// singular.
     std::optional<BoundaryFrame> frame(double t) const { return a_.frame(t); }
     /// Direction in which side a runs out of the seam's end, or out of its begin, over a length;
     /// nullopt if none was given. World.
