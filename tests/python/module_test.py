@@ -62,6 +62,39 @@ class InstallTest(unittest.TestCase):
             self.assertIn(folder, re.search(r"libkeiko\S* => (\S+)", linked.stdout)[1])
 
 
+class PytestTest(unittest.TestCase):
+    def run_pytest(self, folder, *arguments):
+        run = subprocess.run([sys.executable, "-B", "-m", "pytest", "-p", "keiko.pytest_plugin", "-p", "no:cacheprovider",
+                              "-q", "-rA", "--keiko-output", folder / "out", folder, *arguments], cwd=folder,
+                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False)
+        return run.returncode, run.stdout
+
+    def test_fixtures_are_items(self):
+        try:
+            import pytest  # noqa: F401
+        except ImportError:
+            self.skipTest("pytest is not installed")
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            (folder / "sheets.bpt").write_text(SHEETS.format(z=0.1), encoding="utf-8")
+            (folder / "sheets.toml").write_text('format = "keiko-fixture/1"\nmodel = "sheets.bpt"\n'
+                                                'checks = ["shape", "seams"]\nviews = []\n', encoding="utf-8")
+            (folder / "settings.toml").write_text("format = 7\n", encoding="utf-8")
+            code, text = self.run_pytest(folder)
+            self.assertEqual(code, 1, text)
+            self.assertIn("sheets has no baseline", text)
+            code, text = self.run_pytest(folder, "--keiko-update", "first")
+            self.assertEqual(code, 0, text)
+            self.assertRegex(text, r"3 passed, 2 skipped", text)
+            code, text = self.run_pytest(folder)
+            self.assertEqual(code, 0, text)
+            (folder / "sheets.bpt").write_text(SHEETS.format(z=0.3), encoding="utf-8")
+            code, text = self.run_pytest(folder)
+            self.assertEqual(code, 1, text)
+            self.assertRegex(text, r"(?s)FAILED .*seams.*FAILED .*state", text)
+            self.assertNotIn("settings", text)
+
+
 class ModuleTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):

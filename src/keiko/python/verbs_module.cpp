@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <map>
 
 namespace py = pybind11;
 
@@ -85,6 +86,21 @@ std::string regress(const std::filesystem::path& suite, const std::filesystem::p
     });
 }
 
+/// Changes of each new baseline, one line each, by the name of its fixture.
+std::map<std::string, std::vector<std::string>> accept_baselines(
+    const std::filesystem::path& suite, const std::vector<std::string>& names,
+    const std::string& by, const std::string& reason, const std::filesystem::path& output,
+    const std::filesystem::path& baselines, const py::object& progress, int threads) {
+    return run({progress, threads}, [&](const Job& job) {
+        RegressOptions options;
+        options.suite = suite, options.output = output, options.baselines = baselines;
+        std::map<std::string, std::vector<std::string>> changes;
+        for (const AcceptedBaseline& one : update_baselines(options, names, by, reason, job))
+            changes[one.name] = one.change.changed;
+        return changes;
+    });
+}
+
 /// Lines of six numbers, as streams of points have them.
 std::string lines_of(const NumberRows& array) {
     if (array.ndim() != 2 || array.shape(1) != 6)
@@ -141,6 +157,9 @@ void add_verbs(py::module_& module) {
     module.def("compare_json", &compare);
     module.def("info_json", &info);
     module.def("regress_json", &regress);
+    module.def("accept_baselines", &accept_baselines, py::arg("suite"), py::arg("names"),
+               py::kw_only(), py::arg("by"), py::arg("reason"), py::arg("output") = "keiko-regress",
+               py::arg("baselines") = "", py::arg("progress") = py::none(), py::arg("threads") = 0);
     module.def("illuminance_rows", &illuminance);
 }
 

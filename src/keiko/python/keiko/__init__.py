@@ -9,12 +9,12 @@ import os as _os
 
 import numpy as _np
 
-from ._keiko import (Error, Film, Placement, Scene, check_json, compare_json, hit_dtype, illuminance_rows,
+from ._keiko import (accept_baselines, Error, Film, Placement, Scene, check_json, compare_json, hit_dtype, illuminance_rows,
                      info_json, inspect_texts, lines_json, open_scene, place, regress_json, render_film, version)
 
 __version__ = version()
 __all__ = ["Check", "Comparison", "Document", "Error", "Film", "Facts", "Lines", "Placement", "Regression", "Report", "Scene",
-           "check", "compare", "hit_dtype", "illuminance", "info", "inspect", "lines", "open_scene", "place",
+           "accept_baselines", "check", "compare", "hit_dtype", "illuminance", "info", "inspect", "lines", "open_scene", "place",
            "regress", "render", "version"]
 
 
