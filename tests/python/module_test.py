@@ -42,6 +42,25 @@ class PageTest(unittest.TestCase):
         self.assertRegex(run.stdout, r"highest point \[.*\]\n(pass|undecided|fail) \d+ ")
 
 
+class NotebookTest(unittest.TestCase):
+    def test_cells_run_in_order(self):
+        notebook = json.loads((ROOT / "docs/examples/hood.ipynb").read_text(encoding="utf-8"))
+        cells = ["".join(cell["source"]) for cell in notebook["cells"] if cell["cell_type"] == "code"]
+        self.assertGreaterEqual(len(cells), 5)
+        names, before = {}, os.getcwd()
+        os.chdir(ROOT)
+        try:
+            for cell in cells:
+                *lines, last = cell.splitlines()
+                exec("\n".join(lines), names)
+                shown = eval(last, names)
+                self.assertIsNotNone(shown, last)
+        finally:
+            os.chdir(before)
+        self.assertTrue(names["found"].mean() > 0.5)
+        self.assertIn(names["report"].verdict, ("pass", "undecided", "fail"))
+
+
 class InstallTest(unittest.TestCase):
     def test_installed_package_needs_nothing_beside_it(self):
         build = Path(keiko.__file__).resolve().parents[2]
