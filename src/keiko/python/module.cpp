@@ -6,6 +6,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <exception>
+#include <utility>
 
 namespace py = pybind11;
 
@@ -40,7 +41,7 @@ PYBIND11_MODULE(_keiko, module) {
     module.attr("Error") = error;
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
-            if (thrown) std::rethrow_exception(thrown);
+            if (thrown) std::rethrow_exception(std::move(thrown));
         } catch (const keiko::Error& e) {
             keiko::python::raise(error, e);
         }

@@ -35,7 +35,7 @@ CoverageSummary summary_of(const SurfaceModel& model, const Placement& placement
     return summary;
 }
 
-ReportPicture picture_of_lines(const std::string& view, Image drawn) {
+ReportPicture picture_of_lines(const std::string& view, const Image& drawn) {
     return {.title = view,
             .caption = "",
             .file_name = view + "-lines.png",
