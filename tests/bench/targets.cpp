@@ -27,12 +27,12 @@ const ContenderFacts* facts_of(const SceneResult& scene, const Measurement& m) {
     return nullptr;
 }
 
-/// Least and greatest deflection stand for the coarse and the fine mesh.
-const ContenderFacts& mesh(const SceneResult& scene, bool fine) {
+/// Least and greatest deflection stand for the coarse and the fine mesh; null without meshes.
+const ContenderFacts* mesh(const SceneResult& scene, bool fine) {
     const ContenderFacts* best = nullptr;
     for (const ContenderFacts& c : scene.contenders)
         if (c.kind == Kind::mesh && (!best || (c.deflection < best->deflection) == fine)) best = &c;
-    return *best;
+    return best;
 }
 
 const ContenderFacts& keiko(const SceneResult& scene) {
@@ -63,12 +63,13 @@ public:
         add(what + (rays.empty() ? "" : ", " + rays), target, std::move(values));
     }
 
-    /// A row with one value a scene.
+    /// A row with one value a scene: those for which it is a number.
     void scene_row(const std::string& what, double target, const SceneFilter& scenes,
                    const std::function<double(const SceneResult&)>& value) {
         std::vector<double> values;
         for (const SceneResult& scene : results_.scenes)
-            if (scenes(scene)) values.push_back(value(scene));
+            if (scenes(scene))
+                if (const double x = value(scene); x == x) values.push_back(x);
         add(what, target, std::move(values));
     }
 
@@ -134,8 +135,9 @@ auto ratio_to(Kind kind, Mode mode, Ratio ratio = whole_hits) {
 
 auto ratio_to_mesh(bool fine, Mode mode, Ratio ratio) {
     return [=](const SceneResult& scene, const Measurement& m) {
-        return m.kind == Kind::mesh && m.mode == mode && m.name == mesh(scene, fine).name ? ratio(m)
-                                                                                          : none;
+        return m.kind == Kind::mesh && m.mode == mode && m.name == mesh(scene, fine)->name
+                   ? ratio(m)
+                   : none;
     };
 }
 
@@ -200,21 +202,19 @@ void add_meshes(TargetTable& table, const std::string& what, Ratio ratio) {
 }
 
 void add_costs(TargetTable& table) {
-    const SceneFilter car = [](const SceneResult& scene) {
-        const auto is_mesh = [](const ContenderFacts& c) { return c.kind == Kind::mesh; };
-        return scene.name == "concept-car" &&
-               std::any_of(scene.contenders.begin(), scene.contenders.end(), is_mesh);
-    };
-    table.scene_row("memory, finest mesh run / Keiko, concept-car", 1000, car,
-                    [](const SceneResult& scene) {
-                        return static_cast<double>(mesh(scene, true).bytes) /
-                               static_cast<double>(keiko(scene).bytes);
-                    });
+    const SceneFilter car = named("concept-car");
+    table.scene_row(
+        "memory, finest mesh run / Keiko, concept-car", 1000, car, [](const SceneResult& scene) {
+            const ContenderFacts* fine = mesh(scene, true);
+            return fine ? static_cast<double>(fine->bytes) / static_cast<double>(keiko(scene).bytes)
+                        : none;
+        });
     table.scene_row("load time, finest mesh run / Keiko, concept-car", 10000, car,
                     [](const SceneResult& scene) {
-                        const ContenderFacts& fine = mesh(scene, true);
-                        return (fine.mesh_seconds + fine.build_seconds) /
-                               keiko(scene).build_seconds;
+                        const ContenderFacts* fine = mesh(scene, true);
+                        return fine ? (fine->mesh_seconds + fine->build_seconds) /
+                                          keiko(scene).build_seconds
+                                    : none;
                     });
 }
 

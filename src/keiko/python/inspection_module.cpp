@@ -25,45 +25,31 @@ std::string check(const py::object& input, const std::string& preset, double joi
     });
 }
 
-/// A report as text and files.
-struct ReportTexts {
-    std::string json, html;
-    InspectResult result;
-};
+py::dict bytes_of(const FolderContent& content) {
+    py::dict files;
+    for (const auto& [name, bytes] : content) files[py::str(name)] = py::bytes(bytes);
+    return files;
+}
 
-ReportTexts inspect(const OpenScene& open, const std::string& preset, double join,
-                    const std::vector<std::string>& views,
-                    const std::optional<std::filesystem::path>& rig, const py::object& progress,
-                    int threads) {
-    return run({progress, threads}, [&](const Job& job) {
+/// The files of a report, by name.
+py::dict inspect(const OpenScene& open, const std::string& preset, double join,
+                 const std::vector<std::string>& views,
+                 const std::optional<std::filesystem::path>& rig, const py::object& progress,
+                 int threads) {
+    return bytes_of(run({progress, threads}, [&](const Job& job) {
         InspectOptions options;
         options.preset = preset_by_name_or_file(preset), options.join = join;
         options.views = views, options.rig = rig;
         options.picture = picture_options(*open.scene, options.picture);
-        ReportTexts texts;
-        texts.result = inspect_scene(*open.scene, options, job);
-        texts.json = report_json(texts.result.report);
-        texts.html = report_html(texts.result.report);
-        return texts;
-    });
+        return result_files(".", inspect_scene(*open.scene, options, job));
+    }));
 }
 
 } // namespace
 
 void add_inspections(py::module_& module) {
-    module.def("check_json", &check, py::arg("input"), py::arg("preset"), py::arg("join"),
-               py::arg("unit"), py::arg("axes"), py::arg("progress"), py::arg("threads"));
-    py::class_<ReportTexts>(module, "ReportTexts")
-        .def_readonly("json", &ReportTexts::json)
-        .def_readonly("html", &ReportTexts::html)
-        .def("files", [](const ReportTexts& texts, const std::filesystem::path& folder) {
-            py::dict files;
-            for (const auto& [name, content] : result_files(folder, texts.result))
-                files[py::str(name)] = py::bytes(content);
-            return files;
-        });
-    module.def("inspect_texts", &inspect, py::arg("scene"), py::arg("preset"), py::arg("join"),
-               py::arg("views"), py::arg("rig"), py::arg("progress"), py::arg("threads"));
+    module.def("check_json", &check);
+    module.def("report_files", &inspect);
 }
 
 } // namespace keiko::python

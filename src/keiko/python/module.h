@@ -1,7 +1,9 @@
 #pragma once
 
 #include "keiko/api/scene.h"
+#include "keiko/base/error.h"
 
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <filesystem>
@@ -20,12 +22,23 @@ struct OpenScene {
     std::shared_ptr<const Scene> scene;       ///< never null once it is open
 };
 
+/// Rows of numbers of any array that NumPy can make one of.
+using NumberRows = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
+
+/// The numbers of an array of n rows of six, by row and column. Throws FieldError for another
+/// shape; `meaning`: what a row holds.
+inline auto rows_of_six(const NumberRows& array, const char* field, const char* meaning) {
+    if (array.ndim() != 2 || array.shape(1) != 6)
+        throw FieldError(field, std::string("an array of n rows of 6 is needed: ") + meaning);
+    return array.unchecked<2>();
+}
+
 /// Paths of one path, or of a sequence of paths. Raises TypeError for anything else.
 std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 
 /// The class Scene, what it traces, and the function open_scene.
 void add_scenes(pybind11::module_& module);
-/// The functions check and inspect, and the class ReportTexts.
+/// The functions check and inspect.
 void add_inspections(pybind11::module_& module);
 /// The functions place, lines, compare, info, regress and illuminance.
 void add_verbs(pybind11::module_& module);

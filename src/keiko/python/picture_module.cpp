@@ -25,13 +25,6 @@ Camera camera_of(const Scene& scene, const std::string& view, int width, int hei
                       scene.tracer.bounds(), framing);
 }
 
-LightRig rig_of(const Scene& scene, const std::optional<std::filesystem::path>& rig,
-                const Camera& camera, const Job& job) {
-    if (rig) return read_rig(*rig);
-    if (scene.rig) return *scene.rig;
-    return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
-}
-
 Film render(const OpenScene& open, const std::string& view,
             const std::optional<std::filesystem::path>& rig, int width, int height,
             const std::vector<std::string>& aovs, const py::object& progress, int threads) {
@@ -40,18 +33,20 @@ Film render(const OpenScene& open, const std::string& view,
         const Camera camera = camera_of(scene, view, width, height);
         PictureOptions options;
         for (const std::string& name : aovs) options.aovs.push_back(aov_by_name(name));
-        return render_view(scene, rig_of(scene, rig, camera, job), camera,
-                           picture_options(scene, options), job);
+        const NamedView seen{view, camera};
+        const LightRig lamps = choose_lights(scene, rig, std::span(&seen, 1), {}, job).rig;
+        return render_view(scene, lamps, camera, picture_options(scene, options), job);
     });
 }
 
 } // namespace
 
 void add_pictures(py::module_& module) {
+    const auto color = [](const py::object& film, const py::args&, const py::kwargs&) {
+        return array_of(film.cast<const Film&>().color, film);
+    };
     py::class_<Film>(module, "Film")
-        .def_property_readonly(
-            "color",
-            [](const py::object& film) { return array_of(film.cast<const Film&>().color, film); })
+        .def_property_readonly("color", color)
         .def_property_readonly(
             "alpha",
             [](const py::object& film) { return array_of(film.cast<const Film&>().alpha, film); })
@@ -63,15 +58,10 @@ void add_pictures(py::module_& module) {
                                            array_of(image, film);
                                    return layers;
                                })
-        .def("__array__",
-             [](const py::object& film, const py::args&, const py::kwargs&) {
-                 return array_of(film.cast<const Film&>().color, film);
-             })
+        .def("__array__", color)
         .def("_repr_png_",
              [](const Film& film) { return py::bytes(encode_png(tone_mapped(film))); });
-    module.def("render_film", &render, py::arg("scene"), py::arg("view"), py::arg("rig"),
-               py::arg("width"), py::arg("height"), py::arg("aovs"), py::arg("progress"),
-               py::arg("threads"));
+    module.def("render_film", &render);
 }
 
 } // namespace keiko::python

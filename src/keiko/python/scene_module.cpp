@@ -43,19 +43,14 @@ HitRow row_of(const Scene& scene, const Hit& hit) {
     row.flags = static_cast<std::uint32_t>(hit.flags);
     row.uv[0] = hit.uv.x, row.uv[1] = hit.uv.y;
     put(hit.position, row.position), put(hit.normal, row.normal);
-    if (hit.second)
-        if (const auto bent = reliable_curvatures(derivatives_of(hit), hit.normal))
-            row.k1 = bent->k1, row.k2 = bent->k2;
+    const PrincipalCurvatures bent = curvatures_of(hit);
+    row.k1 = bent.k1, row.k2 = bent.k2;
     row.bound = hit.position_bound;
     return row;
 }
 
-using RayArray = py::array_t<double, py::array::c_style | py::array::forcecast>;
-
-std::vector<Ray> rays_of(const RayArray& array) {
-    if (array.ndim() != 2 || array.shape(1) != 6)
-        throw FieldError("rays", "an array of n rows of 6 is needed: origin and direction");
-    const auto numbers = array.unchecked<2>();
+std::vector<Ray> rays_of(const NumberRows& array) {
+    const auto numbers = rows_of_six(array, "rays", "origin and direction");
     std::vector<Ray> rays(static_cast<std::size_t>(array.shape(0)));
     for (py::ssize_t i = 0; i < array.shape(0); ++i) {
         const auto at = [&](py::ssize_t k) { return numbers(i, k); };
@@ -75,7 +70,7 @@ py::array array_of(std::vector<HitRow> rows) {
     return py::array_t<HitRow>(count, data, owner);
 }
 
-py::array trace(const OpenScene& open, const RayArray& array, const py::object& progress,
+py::array trace(const OpenScene& open, const NumberRows& array, const py::object& progress,
                 int threads) {
     const std::vector<Ray> rays = rays_of(array);
     return array_of(run({progress, threads}, [&](const Job& job) {

@@ -4,6 +4,7 @@
 #include "keiko/api/model.h"
 #include "keiko/api/place.h"
 #include "keiko/api/regress.h"
+#include "keiko/api/trace.h"
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
@@ -11,17 +12,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
 #include <map>
 
 namespace py = pybind11;
 
 namespace keiko::python {
 namespace {
-
-using NumberRows = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Placed lamps, and how much of the body they reach.
 struct PlacedLamps {
@@ -103,15 +99,11 @@ std::map<std::string, std::vector<std::string>> accept_baselines(
 
 /// Lines of six numbers, as streams of points have them.
 std::string lines_of(const NumberRows& array) {
-    if (array.ndim() != 2 || array.shape(1) != 6)
-        throw FieldError("points", "an array of n rows of 6 is needed: point and normal");
-    const auto numbers = array.unchecked<2>();
+    const auto numbers = rows_of_six(array, "points", "point and normal");
     std::string text;
     for (py::ssize_t i = 0; i < array.shape(0); ++i)
         for (py::ssize_t k = 0; k < 6; ++k) {
-            std::array<char, 32> digits;
-            char* const begin = digits.data();
-            text.append(begin, std::to_chars(begin, begin + digits.size(), numbers(i, k)).ptr);
+            append_number(text, numbers(i, k));
             text += k < 5 ? ',' : '\n';
         }
     return text;

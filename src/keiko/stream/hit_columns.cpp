@@ -37,12 +37,6 @@ void append_digits(std::string& text, Number number) {
     text.append(digits.data(), end);
 }
 
-PrincipalCurvatures curvatures_of(const Hit& hit) {
-    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-    const PrincipalCurvatures none{unknown, unknown};
-    return hit.second ? reliable_curvatures(derivatives_of(hit), hit.normal).value_or(none) : none;
-}
-
 void append_value(std::string& text, double number) {
     if (std::isfinite(number)) append_digits(text, number);
 }
@@ -150,6 +144,12 @@ void append_row(std::string& text, const std::vector<HitColumn>& columns, const 
 void append_empty_row(std::string& text, const std::vector<HitColumn>& columns) {
     text.append(columns.size() - 1, ',');
     text += '\n';
+}
+
+PrincipalCurvatures curvatures_of(const Hit& hit) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const PrincipalCurvatures none{unknown, unknown};
+    return hit.second ? reliable_curvatures(derivatives_of(hit), hit.normal).value_or(none) : none;
 }
 
 void append_number(std::string& text, std::uint64_t number) {

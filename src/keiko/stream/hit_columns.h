@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/math/rgb.h"
 
@@ -48,6 +49,10 @@ std::string header_of(const std::vector<HitColumn>& columns);
 /// Classification of a hit in words: "unique", "clipped", "tangential", or the last two together,
 /// then "seam" if it is at one; with `|` between.
 std::string flag_words(HitFlags flags);
+
+/// Principal curvatures of the surface at a hit; no numbers close to a pole, and for a tracer
+/// without second derivatives.
+PrincipalCurvatures curvatures_of(const Hit& hit);
 
 /// Appends the row of a hit and a line break. Numbers are the shortest that read back as the same
 /// double; a field without a value, as for the curvatures of a pole, is empty.

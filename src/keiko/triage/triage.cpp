@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <set>
 #include <tuple>
 #include <utility>
 
@@ -42,7 +41,6 @@ Mending mending_of(const Check& check) {
 /// The findings of one stretch, of one face, or of lines over what has no other finding.
 struct Unit {
     std::uint32_t seam = no_index, face = no_index;
-    std::string faces; ///< names
     Mending mending = Mending::layout;
     std::vector<std::size_t> findings;
     Sight sight;
@@ -63,8 +61,7 @@ std::vector<Unit> units_of(const Inspection& inspection) {
         }
         const auto [at, is_new] =
             known.try_emplace({check.seam, check.face, of_line ? check.faces : ""}, units.size());
-        if (is_new)
-            units.push_back({check.seam, check.face, check.faces, mending_of(check), {}, {}});
+        if (is_new) units.push_back({check.seam, check.face, mending_of(check), {}, {}});
         units[at->second].findings.push_back(i);
         if (check.face == no_index) by_faces.emplace(check.faces, at->second);
     }
@@ -105,7 +102,10 @@ bool are_images(const MeasuredSeam& a, const MeasuredSeam& b, const MirrorPlane&
 class Grouping {
 public:
     Grouping(const Inspection& inspection, std::vector<Unit> units)
-        : inspection_(inspection), units_(std::move(units)), sets_(units_.size()) {}
+        : inspection_(inspection),
+          units_(std::move(units)),
+          sets_(units_.size()),
+          has_image_(units_.size()) {}
 
     void join(const MirrorPlane& mirror) {
         for (std::size_t j = 1; j < units_.size(); ++j)
@@ -139,8 +139,9 @@ private:
             units_[i].mending != units_[j].mending)
             return;
         const MeasuredSeam &a = seam(i), &b = seam(j);
-        if (are_images(a, b, mirror)) images_.insert({i, j}), sets_.join(i, j);
-        if (a.line == b.line || continue_each_other(a, b)) sets_.join(i, j);
+        const bool images = are_images(a, b, mirror);
+        if (images) has_image_[i] = has_image_[j] = true;
+        if (images || a.line == b.line || continue_each_other(a, b)) sets_.join(i, j);
     }
 
     TriageItem item_of(std::vector<std::size_t> members) const;
@@ -148,7 +149,7 @@ private:
     const Inspection& inspection_;
     std::vector<Unit> units_;
     DisjointSets sets_;
-    std::set<std::pair<std::size_t, std::size_t>> images_;
+    std::vector<bool> has_image_; ///< of each unit, in its own set
 };
 
 TriageItem Grouping::item_of(std::vector<std::size_t> members) const {
@@ -164,8 +165,7 @@ TriageItem Grouping::item_of(std::vector<std::size_t> members) const {
         all.add(unit.sight);
         item.findings.insert(item.findings.end(), unit.findings.begin(), unit.findings.end());
         if (unit.seam != no_index) item.seams.push_back(unit.seam);
-        for (const std::size_t j : members)
-            if (images_.count({i, j}) > 0) item.mirrored = true;
+        if (has_image_[i]) item.mirrored = true;
     }
     std::sort(item.findings.begin(), item.findings.end());
     const std::size_t view = all.best_view();
@@ -173,6 +173,8 @@ TriageItem Grouping::item_of(std::vector<std::size_t> members) const {
     item.length = all.length, item.width = all.width, item.weight = all.weight[view];
     item.visible = all.length > 0 ? all.visible / all.length : 0;
     item.view = standing_views[view];
+    item.place = item.seams.empty() ? inspection_.findings[item.findings.front()].worst.place
+                                    : worst_place(inspection_.seams[item.seams.front()]);
     return item;
 }
 
@@ -208,11 +210,6 @@ Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection&
     Grouping grouping(inspection, std::move(units));
     grouping.join({1, (tracer.bounds().lower.y + tracer.bounds().upper.y) / 2});
     return grouping.items();
-}
-
-Vec3 worst_place(const TriageItem& item, const Inspection& inspection) {
-    return item.seams.empty() ? inspection.findings[item.findings.front()].worst.place
-                              : worst_place(inspection.seams[item.seams.front()]);
 }
 
 } // namespace keiko

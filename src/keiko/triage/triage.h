@@ -23,7 +23,7 @@ std::string_view name_of(Mending mending);
 
 /// One fault of a body: findings that are mended together.
 struct TriageItem {
-    Mending mending = Mending::layout; ///< what most of it asks for
+    Mending mending = Mending::layout; ///< what its worst finding asks for
     std::vector<std::size_t> findings; ///< into the inspection's findings, the worst first
     std::vector<std::uint32_t> seams;  ///< stretches that show it, those seen most first
     std::uint32_t face = no_index;     ///< of a fault of one face
@@ -33,6 +33,7 @@ struct TriageItem {
     double weight = 0;     ///< square arc minutes: that width over the length, in the view below
     std::string view;      ///< standing view that shows most of it
     bool mirrored = false; ///< it is on both sides of the body's middle plane
+    Vec3 place{0};         ///< of the worst value, on the stretch that is seen most; world, mm
 };
 
 /// The findings of a body in the order in which they are to be mended.
@@ -52,8 +53,5 @@ constexpr double hidden_share = 0.01;
 /// the model. Throws Cancelled.
 Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection& inspection,
               const Job& job = {});
-
-/// Place of the worst value of an item, on its stretch that is seen most; world, mm.
-Vec3 worst_place(const TriageItem& item, const Inspection& inspection);
 
 } // namespace keiko

@@ -58,18 +58,12 @@ void add_lines(Report& report, const Scene& scene, const InspectResult& result,
             picture_of_lines(views[i].name, with_lines(result.films[i].second, *report.lines, i)));
 }
 
-/// The stretches that the first screen shows, then the worst that fail or are undecided.
+/// The first stretches, without those that pass.
 std::vector<std::uint32_t> profiled_seams(const Report& report) {
-    const Inspection& inspection = report.inspection;
-    std::vector<std::uint32_t> seams;
-    const auto add = [&](std::uint32_t seam) {
-        if (seams.size() < most_profiles && inspection.seams[seam].verdict != Verdict::pass &&
-            std::find(seams.begin(), seams.end(), seam) == seams.end())
-            seams.push_back(seam);
-    };
-    for (const ShownItem& item : shown_items(report))
-        if (item.seam != no_index) add(item.seam);
-    for (const std::uint32_t seam : worst_seams(inspection, inspection.seams.size())) add(seam);
+    std::vector<std::uint32_t> seams = first_seams(report, most_profiles);
+    std::erase_if(seams, [&](std::uint32_t seam) {
+        return report.inspection.seams[seam].verdict == Verdict::pass;
+    });
     return seams;
 }
 

@@ -81,30 +81,14 @@ private:
     std::size_t count_ = 0;
 };
 
-/// The stretches that the first screen shows, then the worst that do not pass.
-std::vector<Finding> seam_findings(const Report& report) {
-    constexpr std::size_t most = 20;
-    const Inspection& inspection = report.inspection;
-    std::vector<Finding> all;
-    std::vector<bool> is_shown(inspection.seams.size());
-    const auto add = [&](std::uint32_t seam) {
-        if (is_shown[seam] || all.size() == most) return;
-        is_shown[seam] = true;
-        all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
-    };
-    for (const ShownItem& item : shown_items(report))
-        if (item.seam != no_index) add(item.seam);
-    for (const std::uint32_t seam : worst_seams(inspection, most))
-        if (inspection.seams[seam].verdict != Verdict::pass) add(seam);
-    return all;
-}
-
 /// The items of the first screen, the worst of the seams, faces and crossings that do not pass, and
 /// faces that deserve a look.
 std::vector<Finding> worst_findings(const Report& report) {
-    constexpr std::size_t most_crossings = 10;
+    constexpr std::size_t most_seams = 20, most_crossings = 10;
     const Inspection& inspection = report.inspection;
-    std::vector<Finding> all = seam_findings(report);
+    std::vector<Finding> all;
+    for (const std::uint32_t seam : first_seams(report, most_seams))
+        all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
     FaceFindings faces(inspection);
     for (const ShownItem& item : shown_items(report))
         if (item.face != no_index) faces.add(item.face, item.place, all);

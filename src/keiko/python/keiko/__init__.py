@@ -9,13 +9,14 @@ import os as _os
 
 import numpy as _np
 
-from ._keiko import (accept_baselines, Error, Film, Placement, Scene, check_json, compare_json, hit_dtype, illuminance_rows,
-                     info_json, inspect_texts, lines_json, open_scene, place, regress_json, render_film, version)
+from ._keiko import (Error, Film, Placement, Scene, accept_baselines, check_json, compare_json, hit_dtype,
+                     illuminance_rows, info_json, lines_json, open_scene, place, regress_json, render_film,
+                     report_files, version)
 
 __version__ = version()
-__all__ = ["Check", "Comparison", "Document", "Error", "Film", "Facts", "Lines", "Placement", "Regression", "Report", "Scene",
-           "accept_baselines", "check", "compare", "hit_dtype", "illuminance", "info", "inspect", "lines", "open_scene", "place",
-           "regress", "render", "version"]
+__all__ = ["Check", "Comparison", "Document", "Error", "Facts", "Film", "Lines", "Placement", "Regression",
+           "Report", "Scene", "accept_baselines", "check", "compare", "hit_dtype", "illuminance", "info",
+           "inspect", "lines", "open_scene", "place", "regress", "render", "version"]
 
 
 class Document:
@@ -85,15 +86,14 @@ class Check(Judged):
 class Report(Check):
     """The whole inspection of a body: the keys and values of report.json, with page and pictures."""
 
-    def __init__(self, text: str, page: str, files=None):
-        super().__init__(text)
-        self._page = page
-        self._files = files or {}
+    def __init__(self, files: dict):
+        super().__init__(files["report.json"].decode())
+        self._files = files
 
     @property
     def html(self) -> str:
         """The page for people, pictures included."""
-        return self._page
+        return self._files["report.html"].decode()
 
     def write(self, folder) -> None:
         """Writes what `keiko inspect -o folder` writes."""
@@ -103,10 +103,10 @@ class Report(Check):
                 file.write(content)
 
     def __reduce__(self):
-        return type(self), (self._text, self._page, self._files)
+        return type(self), (self._files,)
 
     def _repr_html_(self) -> str:
-        return (f'<iframe srcdoc="{_html.escape(self._page)}" width="100%" height="720" '
+        return (f'<iframe srcdoc="{_html.escape(self.html)}" width="100%" height="720" '
                 'frameborder="0"></iframe>')
 
 
@@ -136,6 +136,11 @@ def _reopen(paths, options) -> Scene:
     return open_scene(paths, **options)
 
 
+def _opened(scene, progress, threads) -> Scene:
+    """A scene, or the one that model files or a scene file make."""
+    return scene if isinstance(scene, Scene) else open_scene(scene, progress=progress, threads=threads)
+
+
 def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str = "", axes: str = "",
           progress=None, threads: int = 0) -> Check:
     """Judges the geometry of model files, or of one scene file, by a preset or a preset file."""
@@ -145,17 +150,14 @@ def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str 
 def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=(), rig=None,
             progress=None, threads: int = 0) -> Report:
     """Places lamps, renders views, measures and judges. `scene`: a Scene, or what opens one."""
-    if not isinstance(scene, Scene):
-        scene = open_scene(scene, progress=progress, threads=threads)
-    texts = inspect_texts(scene, preset, join, list(views), rig, progress, threads)
-    return Report(texts.json, texts.html, texts.files("."))
+    scene = _opened(scene, progress, threads)
+    return Report(report_files(scene, preset, join, list(views), rig, progress, threads))
 
 
 def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), join: float = 0.5, progress=None,
           threads: int = 0) -> Lines:
     """Follows the reflections of lamps on the surfaces and judges them where they cross seams."""
-    if not isinstance(scene, Scene):
-        scene = open_scene(scene, progress=progress, threads=threads)
+    scene = _opened(scene, progress, threads)
     return Lines(lines_json(scene, rig, list(views), preset, join, progress, threads))
 
 
@@ -196,6 +198,5 @@ def render(scene, view: str = "", *, rig=None, width: int = 960, height: int = 5
     `view` is a named view, or empty for the scene's own. `rig` is a rig file; without one the lamps
     are the scene's own, or placed for the view.
     """
-    if not isinstance(scene, Scene):
-        scene = open_scene(scene, progress=progress, threads=threads)
+    scene = _opened(scene, progress, threads)
     return render_film(scene, view, rig, width, height, list(aovs), progress, threads)

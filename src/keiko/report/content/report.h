@@ -97,6 +97,9 @@ struct ShownItem {
 /// The first faults of the triage; without any, the worst stretches of seams. Refers to the report.
 std::vector<ShownItem> shown_items(const Report& report);
 
+/// The stretches that the first screen shows, then the worst that do not pass: `most` at most.
+std::vector<std::uint32_t> first_seams(const Report& report, std::size_t most);
+
 /// Largest number of stretches whose profiles a page shows.
 constexpr std::size_t most_profiles = 20;
 

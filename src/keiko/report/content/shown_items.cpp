@@ -3,17 +3,30 @@
 namespace keiko {
 
 std::vector<ShownItem> shown_items(const Report& report) {
-    const Inspection whole = whole_inspection(report);
     std::vector<ShownItem> items;
     for (const TriageItem& fault : report.triage.items) {
         if (items.size() == most_shown) break;
         items.push_back({&fault, fault.seams.empty() ? no_index : fault.seams.front(), fault.face,
-                         worst_place(fault, whole)});
+                         fault.place});
     }
     if (!items.empty()) return items;
     for (const std::uint32_t seam : worst_seams(report.inspection, worst_seam_count))
         items.push_back({nullptr, seam, no_index, worst_place(report.inspection.seams[seam])});
     return items;
+}
+
+std::vector<std::uint32_t> first_seams(const Report& report, std::size_t most) {
+    const std::vector<MeasuredSeam>& all = report.inspection.seams;
+    std::vector<std::uint32_t> seams;
+    const auto add = [&](std::uint32_t seam) {
+        if (seams.size() < most && std::find(seams.begin(), seams.end(), seam) == seams.end())
+            seams.push_back(seam);
+    };
+    for (const ShownItem& item : shown_items(report))
+        if (item.seam != no_index) add(item.seam);
+    for (const std::uint32_t seam : worst_seams(report.inspection, all.size()))
+        if (all[seam].verdict != Verdict::pass) add(seam);
+    return seams;
 }
 
 } // namespace keiko

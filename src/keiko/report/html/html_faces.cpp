@@ -77,9 +77,7 @@ std::string row(const Report& report, std::size_t index) {
     html += (face.radius ? radius_cell(*face.radius) : no_cell()) + curvature_cells(face) +
             inflections_cell(face);
     if (!preset.flaw_limits().empty()) html += flaw_cell(face);
-    html += face.radius
-                ? html_cell(short_number(face.radius->place.x, 9), place_text(face.radius->place))
-                : no_cell();
+    html += face.radius ? html_place_cell(face.radius->place) : no_cell();
     return html + "</tr>\n";
 }
 

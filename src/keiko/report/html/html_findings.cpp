@@ -6,10 +6,6 @@
 namespace keiko {
 namespace {
 
-std::string text_cell(const std::string& text) {
-    return html_cell(html_escaped(text), html_escaped(text), "left");
-}
-
 std::string value_text(const Check& check) {
     if (check.unit == "1") return short_number(100 * check.worst.value, 3) + " %";
     return short_number(check.worst.value, 3) + (check.unit == "deg" ? "°" : " " + check.unit);
@@ -23,9 +19,9 @@ std::string row(const Report& report, const Check& check, std::string_view tone,
     if (check.seam != no_index) opens = html_opens_close_up(report, CloseUp::Of::seam, check.seam);
     const MeasuredValue& worst = check.worst;
     return "<tr class=\"" + std::string(tone) + "\"" + opens + ">" + first +
-           text_cell(check.view.empty() ? check.faces : subject_of(check)) + text_cell(check.code) +
-           html_number_cell(worst.value, value_text(check), true) + text_cell(check.message) +
-           html_cell(short_number(worst.place.x, 9), place_text(worst.place)) + last + "</tr>\n";
+           html_words_cell(check.view.empty() ? check.faces : subject_of(check)) +
+           html_words_cell(check.code) + html_number_cell(worst.value, value_text(check), true) +
+           html_words_cell(check.message) + html_place_cell(worst.place) + last + "</tr>\n";
 }
 
 std::string number_cell(std::size_t number) {
@@ -66,8 +62,8 @@ std::string html_accepted(const Report& report) {
     for (const Check& check : whole.accepted) {
         const AcceptanceNote& note = *check.accepted;
         html += row(report, check, "crease", "",
-                    text_cell(note.why) + text_cell(note.who + ", " + note.when) +
-                        text_cell(note.until.empty() ? "–" : note.until));
+                    html_words_cell(note.why) + html_words_cell(note.who + ", " + note.when) +
+                        html_words_cell(note.until.empty() ? "–" : note.until));
     }
     return html + std::string(html_table_end) + "</section>\n";
 }

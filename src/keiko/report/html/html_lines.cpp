@@ -36,8 +36,7 @@ std::string row(const Report& report, std::size_t rank, const CrossingPlace& pla
     const std::string none = html_cell("", "–");
     std::string html = "<tr class=\"" + verdict + "\"" +
                        html_opens_close_up(report, CloseUp::Of::crossing, rank - 1) + ">" +
-                       html_cell(number, number) +
-                       html_cell(html_escaped(c.faces), html_escaped(c.faces), "left") +
+                       html_cell(number, number) + html_words_cell(c.faces) +
                        html_cell(html_escaped(view), html_escaped(view)) + html_cell(lamp, lamp) +
                        html_cell(number, "<span class=\"chip\">" + verdict + "</span>");
     html += value_cell(c.turn, 4);
@@ -48,7 +47,7 @@ std::string row(const Report& report, std::size_t rank, const CrossingPlace& pla
     } else {
         html += none + none + none;
     }
-    return html + html_cell(short_number(c.place.x, 9), place_text(c.place)) + "</tr>\n";
+    return html + html_place_cell(c.place) + "</tr>\n";
 }
 
 /// The columns with their limits.
@@ -97,7 +96,7 @@ std::string inflection_row(std::size_t rank, const std::string& view, const Join
            html_cell(lamp, lamp) +
            html_number_cell(line.length, fixed_number(line.length, 1), false) +
            html_number_cell(turn.along, fixed_number(turn.along, 1), false) +
-           html_cell(short_number(turn.place.x, 9), place_text(turn.place)) + "</tr>\n";
+           html_place_cell(turn.place) + "</tr>\n";
 }
 
 /// Inflections of the lines, in a table under a line that opens it; empty if there are none.

@@ -150,8 +150,8 @@ std::string row(const Report& report, std::size_t index, bool with_slope) {
     std::string html = "<tr class=\"" + (accepted ? "crease" : tone_of(seam)) + "\"" +
                        html_opens_close_up(report, CloseUp::Of::seam, index) + ">" +
                        html_cell(std::to_string(number), std::to_string(number)) +
-                       html_cell(html_escaped(seam.faces), html_escaped(seam.faces), "left") +
-                       html_cell(kind_of(seam), kind_of(seam)) + verdict_cell(seam, accepted);
+                       html_words_cell(seam.faces) + html_cell(kind_of(seam), kind_of(seam)) +
+                       verdict_cell(seam, accepted);
     html += html_number_cell(seam.gap.value, fixed_number(seam.gap.value, 4),
                              !seam.scrap && over(seam.gap));
     html += seam.angle ? html_number_cell(seam.angle->value, fixed_number(seam.angle->value, 3),

@@ -48,15 +48,12 @@ std::string card(const Report& report, std::size_t rank, const ShownItem& item,
 }
 
 std::string row(std::size_t number, const TriageItem& fault, const Check& worst) {
-    const auto text_cell = [](const std::string& text) {
-        return html_cell(html_escaped(text), html_escaped(text), "left");
-    };
     return "<tr class=\"" + std::string(outcome_of(worst)) + "\">" +
-           html_cell(std::to_string(number), std::to_string(number)) + text_cell(worst.faces) +
-           text_cell(std::string(name_of(fault.mending))) + text_cell(worst.message) +
+           html_cell(std::to_string(number), std::to_string(number)) +
+           html_words_cell(worst.faces) + html_words_cell(std::string(name_of(fault.mending))) +
+           html_words_cell(worst.message) +
            html_number_cell(fault.length, fixed_number(fault.length, 1), true) +
-           html_cell(short_number(worst.worst.place.x, 9), place_text(worst.worst.place)) +
-           "</tr>\n";
+           html_place_cell(worst.worst.place) + "</tr>\n";
 }
 
 } // namespace

@@ -107,6 +107,15 @@ std::string html_cell(const std::string& sort_key, const std::string& text,
     return "<td" + named + " data-v=\"" + sort_key + "\">" + text + "</td>";
 }
 
+std::string html_words_cell(const std::string& text) {
+    const std::string escaped = html_escaped(text);
+    return html_cell(escaped, escaped, "left");
+}
+
+std::string html_place_cell(const Vec3& place) {
+    return html_cell(short_number(place.x, 9), place_text(place));
+}
+
 std::string html_number_cell(double value, const std::string& text, bool over) {
     return html_cell(short_number(value, 9), text, over ? "tone" : "");
 }

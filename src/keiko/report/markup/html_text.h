@@ -42,6 +42,10 @@ constexpr std::string_view html_table_end = "</tbody></table></div>";
 /// A cell of a sortable table. Nothing is escaped: `text` is HTML, `sort_key` has no quotes.
 std::string html_cell(const std::string& sort_key, const std::string& text,
                       std::string_view classes = "");
+/// A cell of text, which is escaped and sorted by itself.
+std::string html_words_cell(const std::string& text);
+/// A cell of a place, world, mm, sorted by its x.
+std::string html_place_cell(const Vec3& place);
 /// A cell of a number; `over`: shown in the colour of its row.
 std::string html_number_cell(double value, const std::string& text, bool over);
 
