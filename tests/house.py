@@ -11,10 +11,11 @@ FRONT_ENDS see the rooms that they name and nothing below these, so that they ho
 ROOMS = {
     "base": set(),
     "math": {"base"},
+    "simd": {"math"},
     "geometry": {"math"},
     "intersect": {"geometry"},
     "visibility": {"intersect"},
-    "light": {"geometry"},
+    "light": {"geometry", "simd"},
     "scene": {"geometry", "light"},
     "film": {"math"},
     "files": {"scene"},
@@ -112,7 +113,7 @@ CHAMBERS = {
 }
 EXTERNAL = {
     "embree3/": {"intersect"},
-    "hwy/": {"intersect", "render"},
+    "hwy/": {"intersect", "simd"},
     "opensubdiv/": {"import/subdivision"},
     ".hxx": {"import/cad"},
     "OpenImageIO/": {"film"},

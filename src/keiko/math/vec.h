@@ -14,6 +14,18 @@ using Vec2 = Imath::V2d; ///< Vector in a plane.
 using Vec3 = Imath::V3d; ///< Vector in space.
 /// Homogeneous point: (w x, w y, w z, w).
 using Vec4 = Imath::V4d;
+/// Vector in a plane of any kind of number: a double, or a batch of them.
+template <class Real>
+using Vec2T = Imath::Vec2<Real>;
+/// Vector in space of any kind of number.
+template <class Real>
+using Vec3T = Imath::Vec3<Real>;
+
+/// Dot product of a vector and one of any kind of number.
+template <class Real>
+Real dot(const Vec3& a, const Vec3T<Real>& b) {
+    return Real(a.x) * b.x + Real(a.y) * b.y + Real(a.z) * b.z;
+}
 
 /// Angle between two vectors in radians, 0 to pi; accurate near both ends, unlike acos.
 inline double angle_between(const Vec3& a, const Vec3& b) {

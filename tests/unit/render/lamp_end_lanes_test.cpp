@@ -2,7 +2,6 @@
 #include "keiko/light/tubes/tube_hit.h"
 #include "keiko/render/reflection/lamp_kernels.h"
 
-#include "tests/support/instruction_sets.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +9,6 @@
 #include <utility>
 
 using namespace keiko;
-using namespace keiko::test;
 
 namespace {
 
@@ -76,10 +74,10 @@ void expect_truth(const EndStrip& strip) {
     for (std::size_t lane = 0; lane < truth.size(); ++lane) truth[lane] = strip.truth(first + lane);
     EXPECT_TRUE(
         std::any_of(truth.begin(), truth.end(), [](double t) { return t > 0.1 && t < 0.9; }));
-    for (const std::int64_t set : instruction_sets()) {
-        const WithInstructionSet only(set);
+    for (const SimdLevel level : simd_levels()) {
         LampCoverageBatch looks;
-        lamp_kernels().look({frame, MirrorModel::tube}, strip.numbers, first, width, true, looks);
+        lamp_kernels(level).look({frame, MirrorModel::tube}, strip.numbers, first, width, true,
+                                 looks);
         for (std::size_t lane = 0; lane < truth.size(); ++lane)
             EXPECT_NEAR(has(looks.missed, lane) ? 0 : looks.coverage[lane], truth[lane], 0.01)
                 << strip.direction.x << ", " << strip.plane.u.x << ", " << strip.plane.v.y << ", "

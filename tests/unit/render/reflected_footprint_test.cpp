@@ -23,6 +23,10 @@ Ray mirrored(const Stage& stage, double x, double y, double size) {
     return reflect_ray(eye, stage.tracer.nearest(eye).value());
 }
 
+PixelRay pixel_ray(const Ray& ray) {
+    return {ray.origin, ray.direction, ray.differentials.value()};
+}
+
 /// The reflected rays of a pixel and its neighbours.
 struct Around {
     Ray centre, left, right, above, below;
@@ -34,7 +38,10 @@ struct Around {
           above(mirrored(stage, x, y - size, size)),
           below(mirrored(stage, x, y + size, size)) {}
 
-    PixelRays rays() const { return {centre, left, right, above, below}; }
+    PixelRays rays() const {
+        return {pixel_ray(centre), pixel_ray(left), pixel_ray(right), pixel_ray(above),
+                pixel_ray(below)};
+    }
 };
 
 ReflectedFootprint pixel_at(const Stage& stage, double x, double y, double size) {
@@ -43,7 +50,7 @@ ReflectedFootprint pixel_at(const Stage& stage, double x, double y, double size)
 
 /// Between directions to a corner of a pixel: as the cubic tells it and as it is.
 double error_of(const Stage& stage, double size) {
-    const SubpixelRay told = pixel_at(stage, 48, 27, size).part(0.5, -0.5, 1);
+    const PixelRay told = pixel_at(stage, 48, 27, size).part(0.5, -0.5, 1);
     const Ray is = mirrored(stage, 48 + 0.5 * size, 27 - 0.5 * size, size);
     return (told.direction - is.direction).length() + (told.origin - is.origin).length() / 3000;
 }
@@ -106,7 +113,7 @@ TEST(ReflectedFootprint, IsRightToTheFourthOrder) {
 
 TEST(ReflectedFootprint, TellsTheDifferentialsOfItsParts) {
     const Stage stage(dome());
-    const SubpixelRay told = pixel_at(stage, 40, 30, 1).part(0.25, 0.25, 0.5);
+    const PixelRay told = pixel_at(stage, 40, 30, 1).part(0.25, 0.25, 0.5);
     const Ray is = mirrored(stage, 40.25, 30.25, 0.5);
     const Vec3 off = told.spread.direction_dx - is.differentials->direction_dx;
     EXPECT_LT(off.length(), 1e-4 * is.differentials->direction_dx.length());
@@ -159,14 +166,14 @@ TEST(ReflectedFootprint, KeepsItsPartsWithinItsBundle) {
             return trial % 4 == 0 ? std::copysign(1.0, x) : x;
         };
         const auto vector = [&] { return Vec3(number(), 0.1 * number(), 0.1 * number()); };
-        std::array<Ray, 5> rays;
-        for (Ray& ray : rays)
-            ray.differentials = RayDifferentials{vector(), vector(), vector(), vector()};
+        std::array<PixelRay, 5> rays;
+        for (PixelRay& ray : rays)
+            ray = {Vec3(0), Vec3(0), {vector(), vector(), vector(), vector()}};
         const PixelRays pixel{rays[0], rays[1], rays[2], rays[3], rays[4]};
-        const RayCone bundle = ReflectedFootprint::bundle(pixel);
+        const RayCone bundle = cone_of(pixel);
         for (const double y : {-0.5, -0.2, 0.5})
             for (const double x : {-0.5, 0.1, 0.5}) {
-                const SubpixelRay part = ReflectedFootprint(pixel).part(x, y, 1);
+                const PixelRay part = ReflectedFootprint(pixel).part(x, y, 1);
                 const RayDifferentials& s = bundle.spread;
                 const Vec3 origin = part.origin - s.origin_dx * x - s.origin_dy * y;
                 const Vec3 direction = part.direction - s.direction_dx * x - s.direction_dy * y;

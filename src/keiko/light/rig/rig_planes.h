@@ -2,7 +2,7 @@
 
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/tubes/c_plane_lookup.h"
-#include "keiko/light/tubes/tube_hit.h"
+#include "keiko/light/tubes/ray_cone.h"
 #include "keiko/math/rgb.h"
 
 #include <limits>

@@ -81,9 +81,15 @@ struct CPlaneFrame {
     /// Coordinate v of the last lamp's axis, mm.
     double last() const { return axis(lamps - 1); }
     /// Frame coordinates of a vector of the world.
-    Vec3 vector(const Vec3& w) const { return {u.dot(w), v.dot(w), normal.dot(w)}; }
+    template <class Real>
+    Vec3T<Real> vector(const Vec3T<Real>& w) const {
+        return {dot(u, w), dot(v, w), dot(normal, w)};
+    }
     /// Frame coordinates of a point of the world, mm.
-    Vec3 point(const Vec3& p) const { return vector(p - origin); }
+    template <class Real>
+    Vec3T<Real> point(const Vec3T<Real>& p) const {
+        return vector(p - Vec3T<Real>(origin));
+    }
     /// World position of the point (along, across) of the plane.
     Vec3 at(double along, double across) const { return origin + u * along + v * across; }
 };

@@ -1,6 +1,7 @@
 #include "keiko/light/tubes/c_plane_lookup.h"
 
 #include "keiko/light/tubes/end_coverage.h"
+#include "keiko/light/tubes/stripe_coverage.h"
 #include "keiko/light/tubes/tube_hit.h"
 
 #include <algorithm>
@@ -9,50 +10,7 @@
 
 namespace keiko {
 
-double comb_coverage(const CPlaneFrame& frame, double strip_width, double center,
-                     const PixelFilter& filter) {
-    if (frame.lamps == 0) return 0;
-    const double half = strip_width / 2;
-    if (!(strip_width < frame.pitch))
-        return filter.share(frame.first - half - center, frame.last() + half - center);
-    const double reach = filter.reach() + half, last = frame.lamps - 1;
-    const double lowest = std::ceil((center - reach - frame.first) / frame.pitch);
-    const double highest = std::floor((center + reach - frame.first) / frame.pitch);
-    const int begin = static_cast<int>(std::clamp(lowest, 0.0, last + 1));
-    const int end = static_cast<int>(std::clamp(highest, -1.0, last));
-    double sum = 0;
-    for (int i = begin; i <= end; ++i) {
-        const double at = frame.axis(i) - center;
-        sum += filter.share(at - half, at + half);
-    }
-    return sum;
-}
-
-double mean_coverage(const CPlaneFrame& frame, double strip_width, double center,
-                     const PixelFilter& filter) {
-    if (frame.lamps == 0) return 0;
-    const double half = std::max(frame.pitch, strip_width) / 2;
-    return std::min(strip_width / frame.pitch, 1.0) *
-           filter.share(frame.first - half - center, frame.last() + half - center);
-}
-
 namespace {
-
-/// Sine of the angle to the plane below which a ray counts as parallel
-/// (docs/theory/luminance.md#in-mirrors).
-constexpr double parallel = 1e-12;
-
-/// Number of pitches in a pixel beyond which stripes are replaced by their mean.
-constexpr double resolvable_pitches = 4;
-
-/// Derivative of (u, v) by one picture axis: the hit moves with the ray and stays on the plane.
-Vec2 slide(const CPlaneFrame& frame, const CPlaneHit& hit, const Vec3& origin_rate,
-           const Vec3& direction_rate) {
-    const Vec3& d = hit.direction;
-    const Vec3 rate = frame.vector(origin_rate + direction_rate * hit.t);
-    const double t_rate = rate.z / d.z;
-    return {rate.x - d.x * t_rate, rate.y - d.y * t_rate};
-}
 
 bool tube_shines(const CPlaneFrame& frame, const Vec3& origin, const Vec3& direction) {
     const auto tube = nearest_tube(frame, origin, direction);
@@ -134,43 +92,24 @@ LampCoverage sampled(const CPlaneFrame& frame, const Vec3& origin, const Vec3& d
 
 LampCoverage filtered(const CPlaneFrame& frame, const CPlaneHit& hit, const Footprint& footprint,
                       MirrorModel look) {
+    const StripeCoverage<double> stripes(frame, look, true, hit, footprint);
+    if (!stripes.at_ends) return {stripes.coverage, stripes.resolved};
     const bool round = look == MirrorModel::tube;
-    const PixelFilter across(footprint.dx.y, footprint.dy.y);
-    const bool resolved = across.width() <= resolvable_pitches * frame.pitch;
-    const double room = round ? footprint.widened(end_room(frame, hit.direction)) : 0;
-    const double reach = footprint.reach(0);
-    if (frame.lamps == 0 || hit.u + reach <= -room || hit.u - reach >= frame.length + room)
-        return {0, resolved};
-    if (!(hit.u - reach >= room && hit.u + reach <= frame.length - room)) {
-        const Vec3 d = round ? direction_to(hit, footprint, way_to_row(frame, hit)) : hit.direction;
-        const LampEnds ends =
-            round ? ends_of_tubes(frame, hit, footprint, d) : LampEnds::straight(frame);
-        const double width = round ? apparent_diameter(frame, d) : frame.diameter;
-        return {end_coverage(frame, width, resolved, ends, {hit.u, hit.v}, footprint), resolved};
-    }
-    const double width = round ? apparent_diameter(frame, hit.direction) : frame.diameter;
-    const auto coverage = resolved ? comb_coverage : mean_coverage;
-    return {coverage(frame, width, hit.v, across), resolved};
+    const Vec3 d = round ? direction_to(hit, footprint, way_to_row(frame, hit)) : hit.direction;
+    const LampEnds ends =
+        round ? ends_of_tubes(frame, hit, footprint, d) : LampEnds::straight(frame);
+    const double width = round ? apparent_diameter(frame, d) : frame.diameter;
+    return {end_coverage(frame, width, stripes.resolved, ends, {hit.u, hit.v}, footprint),
+            stripes.resolved};
 }
 
 } // namespace
 
-double Footprint::reach(unsigned axis) const {
-    return widened((std::abs(dx[axis]) + std::abs(dy[axis])) / 2);
-}
-
-double Footprint::widened(double length) const {
-    const double least = 1 - (std::abs(descent.x) + std::abs(descent.y)) / 2;
-    return least > 0 ? length / least : std::numeric_limits<double>::infinity();
-}
-
 std::optional<CPlaneHit> c_plane_coordinates(const CPlaneFrame& frame, const Vec3& origin,
                                              const Vec3& direction) {
-    const Vec3 o = frame.point(origin), d = frame.vector(direction);
-    if (!(std::abs(d.z) > parallel * direction.length())) return {};
-    const double t = -o.z / d.z;
-    if (!(t > 0)) return {};
-    return CPlaneHit{t, o.x + t * d.x, o.y + t * d.y, d};
+    const CPlaneHit hit = c_plane_hit(frame, origin, direction);
+    if (!is_met(hit)) return {};
+    return hit;
 }
 
 std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& origin,
@@ -178,22 +117,9 @@ std::optional<CPlaneHit> c_plane_coordinates(const CPlane& plane, const Vec3& or
     return c_plane_coordinates(CPlaneFrame(plane), origin, direction);
 }
 
-bool starts_among_tubes(const CPlaneFrame& frame, const CPlaneHit& hit) {
-    return hit.t * std::abs(hit.direction.z) < frame.radius();
-}
-
-Footprint footprint_on(const CPlaneFrame& frame, const CPlaneHit& hit,
-                       const RayDifferentials& spread) {
-    return {slide(frame, hit, spread.origin_dx, spread.direction_dx),
-            slide(frame, hit, spread.origin_dy, spread.direction_dy),
-            Vec2(frame.normal.dot(spread.direction_dx), frame.normal.dot(spread.direction_dy)) /
-                hit.direction.z};
-}
-
 std::optional<int> strip_at(const CPlaneFrame& frame, double u, double v, double width) {
     if (frame.lamps == 0 || !(u > 0 && u < frame.length)) return {};
-    const double nearest = std::floor((v - frame.first) / frame.pitch + 0.5);
-    const int lamp = static_cast<int>(std::clamp(nearest, 0.0, frame.lamps - 1.0));
+    const int lamp = static_cast<int>(nearest_lamp(frame, v));
     if (!(std::abs(v - frame.axis(lamp)) < width / 2)) return {};
     return lamp;
 }

@@ -17,10 +17,6 @@ LampEnds LampEnds::of_tubes(const CPlaneFrame& frame, const Vec3& d) {
     return {{0, shear, bulge}, {frame.length, shear, bulge}};
 }
 
-double end_room(const CPlaneFrame& frame, const Vec3& d) {
-    return frame.radius() * std::abs(d.x / d.z);
-}
-
 namespace {
 
 /// True if a curve bulges away from a side, or not at all.

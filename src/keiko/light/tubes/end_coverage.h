@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/light/tubes/c_plane.h"
-#include "keiko/light/tubes/c_plane_lookup.h"
+#include "keiko/light/tubes/plane_image.h"
 
 #include <algorithm>
 #include <array>
@@ -31,10 +31,6 @@ struct LampEnds {
     /// True if rays meet dark caps at the begin.
     bool begins_with_cap() const { return begin.bulge > 0; }
 };
-
-/// Largest apparent shift of an end of a round tube along u, mm, for rays of that direction, in
-/// frame coordinates.
-double end_room(const CPlaneFrame& frame, const Vec3& d);
 
 /// A function linear in the place in the picture, relative to the pixel's centre.
 struct PixelLinear {

@@ -1,88 +1,109 @@
 #include "keiko/render/reflection/lamp_kernels.h"
 
-#undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "keiko/render/reflection/lamp_kernels.cpp"
-// First, as it includes this file once for each instruction set.
-#include <hwy/foreach_target.h>
+#include "keiko/light/tubes/c_plane_lookup.h"
+#include "keiko/light/tubes/ray_cone.h"
+#include "keiko/render/reflection/image_bend.h"
+#include "keiko/simd/batch.h"
 
-// Then the code for the current one.
-#include "keiko/render/reflection/pixel_lanes-inl.h"
-#include "keiko/render/reflection/stripe_lanes-inl.h"
+#include <array>
 
-HWY_BEFORE_NAMESPACE();
-namespace keiko::HWY_NAMESPACE {
+namespace keiko::KEIKO_LEVEL {
+namespace {
 
-void look_at_vector(const StripeRow& row, const ReflectedRays& rays, std::size_t place,
-                    std::size_t width, bool thorough, std::size_t lane, LampCoverageBatch& looks) {
-    const Wide d;
-    const PixelLanes pixel(rays, place + lane, width);
-    const FrameLanes frame(row.frame);
-    const ImageLanes image(frame, pixel.centre);
-    const auto store = [&](Real from, LampCoverageBatch::Lanes<double>& to) {
-        hn::Store(from, d, to.data() + lane);
-    };
-    const Truth missed = misses_lamps(row.frame, pixel, image);
-    looks.missed |= lane_bits(d, missed, lane);
-    looks.meets |= lane_bits(d, image.meets, lane);
-    if (hn::AllFalse(d, image.meets)) return;
-    store(image.t, looks.t), store(image.at.x, looks.u), store(image.at.y, looks.v);
-    if (thorough) store(residual(pixel, image.t), looks.residual);
-    const bool dark = hn::AllFalse(d, hn::AndNot(missed, image.meets));
+/// Coverage of a few lanes by end_coverage() and the like; 0 in the others.
+Batch coverage_one_by_one(const StripeRow& row, const CPlaneHitT<Batch>& hit,
+                          const FootprintT<Batch>& image, Mask wanted) {
+    const std::array all{hit.t,           hit.u,           hit.v,           hit.direction.x,
+                         hit.direction.y, hit.direction.z, image.dx.x,      image.dx.y,
+                         image.dy.x,      image.dy.y,      image.descent.x, image.descent.y};
+    double of[all.size()][lanes], found[lanes];
+    for (std::size_t i = 0; i < all.size(); ++i) all[i].store(of[i]);
+    const std::uint32_t bits = bits_of(wanted);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+        found[lane] = 0;
+        if ((bits >> lane & 1) == 0) continue;
+        double numbers[all.size()];
+        for (std::size_t i = 0; i < all.size(); ++i) numbers[i] = of[i][lane];
+        found[lane] = coverage_of_numbers(row, numbers);
+    }
+    return Batch::load(found);
+}
+
+/// LampCoverage::coverage, of images that are no points.
+Batch coverage(const StripeRow& row, const CPlaneHitT<Batch>& hit, const FootprintT<Batch>& image) {
+    const CPlaneFrame& frame = row.frame;
+    if (frame.lamps == 0) return 0;
+    const Mask met = is_met(hit);
+    const Mask among =
+        row.look == MirrorModel::tube ? met && starts_among_tubes(frame, hit) : Mask(false);
+    const StripeCoverage<Batch> stripes(frame, row.look, met && !among, hit, image);
+    const Mask others = stripes.at_ends || among;
+    if (!any_of(others)) return stripes.coverage;
+    return select(others, coverage_one_by_one(row, hit, image, others), stripes.coverage);
+}
+
+void look_at_batch(const StripeRow& row, const ReflectedRays& rays, std::size_t place,
+                   std::size_t width, bool thorough, std::size_t lane, LampCoverageBatch& looks) {
+    const PixelRaysT<Batch> pixel = rays.around<Batch>(place + lane, width, Batch::load);
+    const CPlaneHitT<Batch> hit =
+        c_plane_hit(row.frame, pixel.centre.origin, pixel.centre.direction);
+    const Mask met = is_met(hit), missed = misses_lamps(row.frame, cone_of(pixel));
+    looks.missed |= bits_of(missed) << lane;
+    looks.meets |= bits_of(met) << lane;
+    if (!any_of(met)) return;
+    hit.t.store(looks.t.data() + lane);
+    hit.u.store(looks.u.data() + lane), hit.v.store(looks.v.data() + lane);
+    if (thorough)
+        ReflectedFootprintT<Batch>(pixel)
+            .residual(pixel, hit.t)
+            .store(looks.residual.data() + lane);
+    const bool dark = !any_of(met && !missed);
     if (dark && !thorough) return;
-    const BendLanes bend(row.frame, frame, pixel, image);
-    store(bend.bend, looks.bend);
-    looks.bounded |= lane_bits(d, bend.bounded, lane);
-    looks.points |= lane_bits(d, image.is_point(), lane);
-    if (!dark) store(coverage(row, image), looks.coverage);
+    const FootprintT<Batch> image = footprint_on(row.frame, hit, pixel.centre.spread);
+    const ImageBend<Batch> bend(row.frame, pixel, hit, image);
+    bend.bend.store(looks.bend.data() + lane);
+    looks.bounded |= bits_of(bend.bounded) << lane;
+    looks.points |= bits_of(image.is_point()) << lane;
+    if (!dark) coverage(row, hit, image).store(looks.coverage.data() + lane);
 }
 
-void look(const StripeRow& row, const ReflectedRays& rays, std::size_t place, std::size_t width,
-          bool thorough, LampCoverageBatch& looks) {
+[[gnu::flatten]] void look(const StripeRow& row, const ReflectedRays& rays, std::size_t place,
+                           std::size_t width, bool thorough, LampCoverageBatch& looks) {
     looks.meets = looks.missed = looks.bounded = looks.points = 0;
-    for (std::size_t lane = 0; lane < LampCoverageBatch::capacity; lane += hn::Lanes(Wide()))
-        look_at_vector(row, rays, place, width, thorough, lane, looks);
+    for (std::size_t lane = 0; lane < LampCoverageBatch::capacity; lane += lanes)
+        look_at_batch(row, rays, place, width, thorough, lane, looks);
 }
 
-double coverage_of_parts(const StripeRow& row, const ReflectedRays& rays, std::size_t place,
-                         std::size_t width, const SquareParts& parts) {
-    const Wide d;
-    const FrameLanes frame(row.frame);
-    const CubicLanes cubic(rays, place, width);
+/// Parts are summed up by their place modulo 8, in the same order on every instruction set.
+[[gnu::flatten]] double coverage_of_parts(const StripeRow& row, const ReflectedRays& rays,
+                                          std::size_t place, std::size_t width,
+                                          const SquareParts& parts) {
+    const auto every = [](const double* number) { return Batch(*number); };
+    const ReflectedFootprintT<Batch> cubic(rays.around<Batch>(place, width, every));
+    constexpr std::size_t capacity = LampCoverageBatch::capacity;
     const double side = parts.side, count = side * side;
-    std::array<double, LampCoverageBatch::capacity> sums{};
-    const auto at = [&](Real number) {
-        return hn::Sub(hn::Mul(hn::Add(number, real(0.5)), real(1 / side)), real(0.5));
-    };
-    for (double first = 0; first < count; first += static_cast<double>(hn::Lanes(d))) {
-        const Real number = hn::Add(real(first), hn::Iota(d, 0));
-        const Real line = hn::Floor(hn::Mul(hn::Add(number, real(0.5)), real(1 / side)));
-        const Real column = hn::NegMulAdd(line, real(side), number);
-        const ImageLanes image(frame, cubic.part(at(column), at(line), 1 / side));
-        const Truth seen = hn::And(hn::Lt(number, real(count)), hn::Le(image.t, real(parts.t_max)));
-        hn::StoreU(
-            hn::Add(hn::LoadU(d, sums.data()), hn::IfThenElseZero(seen, coverage(row, image))), d,
-            sums.data());
+    double sums[capacity] = {};
+    const auto at = [&](Batch number) { return (number + 0.5) * (1 / side) - 0.5; };
+    std::size_t lane = 0;
+    for (double first = 0; first < count; first += static_cast<double>(lanes)) {
+        const Batch number = first + Batch::count();
+        const Batch line = floor((number + 0.5) * (1 / side)), column = number - line * side;
+        const PixelRayT<Batch> part = cubic.part(at(column), at(line), 1 / side);
+        const CPlaneHitT<Batch> hit = c_plane_hit(row.frame, part.origin, part.direction);
+        const Batch found = coverage(row, hit, footprint_on(row.frame, hit, part.spread));
+        const Mask seen = number < Batch(count) && hit.t <= Batch(parts.t_max);
+        (Batch::load(sums + lane) + select(seen, found, 0)).store(sums + lane);
+        lane = (lane + lanes) % capacity;
     }
     double sum = 0;
     for (const double s : sums) sum += s;
     return sum / count;
 }
 
-LampKernels make_stripe_kernels() {
-    return {hwy::TargetName(HWY_TARGET), look, coverage_of_parts};
-}
-
-} // namespace keiko::HWY_NAMESPACE
-HWY_AFTER_NAMESPACE();
-
-#if HWY_ONCE
-namespace keiko {
-
-HWY_EXPORT(make_stripe_kernels);
+} // namespace
 
 LampKernels lamp_kernels() {
-    return HWY_DYNAMIC_DISPATCH(make_stripe_kernels)();
+    return {look, coverage_of_parts};
 }
 
-} // namespace keiko
-#endif
+} // namespace keiko::KEIKO_LEVEL

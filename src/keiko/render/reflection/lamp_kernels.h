@@ -2,6 +2,7 @@
 
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/render/reflection/reflected_grid.h"
+#include "keiko/simd/level.h"
 
 #include <cstdint>
 
@@ -23,15 +24,15 @@ struct LampCoverageBatch {
 
     // Sets of pixels, a bit each.
     std::uint32_t meets = 0; ///< the centre's ray meets the plane
-    /// Proved to reflect no lamp: misses_lamps() of ReflectedFootprint::bundle().
+    /// Proved to reflect no lamp: misses_lamps() of cone_of().
     std::uint32_t missed = 0;
-    std::uint32_t bounded = 0; ///< footprint_nonlinearity() has a value
+    std::uint32_t bounded = 0; ///< ImageBend has a value
     std::uint32_t points = 0;  ///< the footprint is a point
     // Values of those that meet the plane.
     alignas(64) Lanes<double> t; ///< as in CPlaneHit
     alignas(64) Lanes<double> u; ///< as in CPlaneHit
     alignas(64) Lanes<double> v; ///< as in CPlaneHit
-    /// footprint_nonlinearity(), for pixels not `missed` unless thorough.
+    /// ImageBend, for pixels not `missed` unless thorough.
     alignas(64) Lanes<double> bend;
     alignas(64) Lanes<double> residual; ///< ReflectedFootprint::residual(), mm; if thorough
     alignas(64) Lanes<double> coverage; ///< LampCoverage::coverage, for pixels not `missed`
@@ -43,11 +44,10 @@ struct SquareParts {
     double t_max = 0; ///< parameter beyond which rays meet no lamp
 };
 
-/// Kernels of mirror_of() for a row of lamps, compiled for one instruction set, for a vector of
-/// pixels or of parts of one at a time. The results are the same to within rounding, in the same
-/// order regardless of the neighbouring pixels.
+/// Kernels of mirror_of() for a row of lamps, compiled for one instruction set, for a batch of
+/// pixels or of parts of one at a time. The results are those of the formulas for one pixel, to the
+/// bit on every instruction set; a mean over parts is summed up in another order.
 struct LampKernels {
-    const char* name; ///< of the instruction set
     /// Coverage of the pixels from `place` on; rows of the picture are `width` long.
     void (*look)(const StripeRow&, const ReflectedRays&, std::size_t place, std::size_t width,
                  bool thorough, LampCoverageBatch&);
@@ -56,7 +56,13 @@ struct LampKernels {
                                 std::size_t width, const SquareParts&);
 };
 
-/// Kernels of the widest instruction set of this processor.
-LampKernels lamp_kernels();
+/// Coverage of one pixel that end_coverage() or the like has to tell, by the numbers of its hit (t,
+/// u, v, direction) and of its footprint (dx, dy, descent).
+double coverage_of_numbers(const StripeRow& row, const double numbers[12]);
+
+KEIKO_OF_EVERY_LEVEL(LampKernels, lamp_kernels)
+
+/// Kernels of a level that this processor has.
+LampKernels lamp_kernels(SimdLevel level = widest_simd_level());
 
 } // namespace keiko

@@ -12,6 +12,18 @@ bool has_lane(std::uint32_t lanes, std::size_t lane) {
 
 } // namespace
 
+double coverage_of_numbers(const StripeRow& row, const double numbers[12]) {
+    const double* n = numbers;
+    const CPlaneHit hit{n[0], n[1], n[2], {n[3], n[4], n[5]}};
+    const Footprint footprint{{n[6], n[7]}, {n[8], n[9]}, {n[10], n[11]}};
+    // Only points and exact models need the origin and the direction in the world.
+    return look_up(row.frame, hit, Vec3(0), Vec3(0), footprint, row.look).coverage;
+}
+
+LampKernels lamp_kernels(SimdLevel level) {
+    return KEIKO_AT_LEVEL(level, lamp_kernels);
+}
+
 LampReflections::LampReflections(const RigPlanes& planes, const ReflectedGrid& grid,
                                  const LampKernels& kernels, bool tells_torn)
     : planes_(planes),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/render/reflection/lamp_kernels.h"
+#include "keiko/render/reflection/pixel_mirror.h"
 #include "keiko/render/reflection/reflected_grid.h"
 
 #include <vector>

@@ -1,10 +1,8 @@
 #pragma once
 
-#include "keiko/geometry/visibility/ray.h"
-#include "keiko/light/rig/rig_planes.h"
+#include "keiko/light/tubes/ray_cone.h"
 
 #include <array>
-#include <optional>
 
 namespace keiko {
 
@@ -35,10 +33,12 @@ public:
           yyy_(below.y - y_ * 2 + above.y) {}
 
     /// Value at a place relative to the centre, in pixels.
-    Jet at(double x, double y) const {
-        return value_ + x_ * x + y_ * y + xx_ * (x * x / 2) + xy_ * (x * y) + yy_ * (y * y / 2) +
-               xxx_ * (x * x * x / 6) + xxy_ * (x * x * y / 2) + xyy_ * (x * y * y / 2) +
-               yyy_ * (y * y * y / 6);
+    template <class Real>
+    Jet at(const Real& x, const Real& y) const {
+        const Real xx = x * x * 0.5, yy = y * y * 0.5;
+        return value_ + x_ * x + y_ * y + xx_ * xx + xy_ * (x * y) + yy_ * yy +
+               xxx_ * (xx * x * (1.0 / 3)) + xxy_ * (xx * y) + xyy_ * (x * yy) +
+               yyy_ * (yy * y * (1.0 / 3));
     }
     /// Values at the pixel's corners, row by row.
     std::array<Jet, 4> corners() const {
@@ -49,86 +49,113 @@ public:
         return {up + twisted - across, up - twisted + across, down - twisted - across,
                 down + twisted + across};
     }
+    /// Values at the centres of the neighbours: left, right, above, below.
+    std::array<Jet, 4> neighbours() const {
+        const Jet even_x = value_ + xx_ * 0.5, odd_x = x_ + xxx_ * (1.0 / 6);
+        const Jet even_y = value_ + yy_ * 0.5, odd_y = y_ + yyy_ * (1.0 / 6);
+        return {even_x - odd_x, even_x + odd_x, even_y - odd_y, even_y + odd_y};
+    }
     /// Slopes at a place relative to the centre, in pixels.
-    Slopes<Jet> slopes(double x, double y) const {
-        return {x_ + xx_ * x + xy_ * y + xxx_ * (x * x / 2) + xxy_ * (x * y) + xyy_ * (y * y / 2),
-                y_ + xy_ * x + yy_ * y + xxy_ * (x * x / 2) + xyy_ * (x * y) + yyy_ * (y * y / 2)};
+    template <class Real>
+    Slopes<Jet> slopes(const Real& x, const Real& y) const {
+        const Real xx = x * x * 0.5, xy = x * y, yy = y * y * 0.5;
+        return {x_ + xx_ * x + xy_ * y + xxx_ * xx + xxy_ * xy + xyy_ * yy,
+                y_ + xy_ * x + yy_ * y + xxy_ * xx + xyy_ * xy + yyy_ * yy};
     }
 
 private:
     Jet value_, x_, y_, xx_, xy_, yy_, xxx_, xxy_, xyy_, yyy_;
 };
 
-/// The reflected rays of a pixel's centre and of its neighbours', all with differentials and on one
-/// smooth surface.
-struct PixelRays {
-    Ray centre, left, right, above, below; ///< of the pixel and its neighbours
+/// The reflected ray of a pixel, or of a part of one.
+template <class Real>
+struct PixelRayT {
+    Vec3T<Real> origin, direction;  ///< world, mm; the direction of any length
+    RayDifferentialsT<Real> spread; ///< by the pixel's or the part's own width and height
 };
+/// For one pixel.
+using PixelRay = PixelRayT<double>;
 
-/// The reflected ray of a part of a pixel.
-struct SubpixelRay {
-    Vec3 origin, direction;  ///< world, mm; the direction of any length
-    RayDifferentials spread; ///< by the part's own width and height
+/// The reflected rays of a pixel's centre and of its neighbours', all on one smooth surface.
+template <class Real>
+struct PixelRaysT {
+    PixelRayT<Real> centre, left, right, above, below; ///< of the pixel and its neighbours
 };
+/// For one pixel.
+using PixelRays = PixelRaysT<double>;
 
 /// A pixel's reflected rays as a cubic in the place in the picture.
-class ReflectedFootprint {
+template <class Real>
+class ReflectedFootprintT {
 public:
-    /// Footprint of a pixel by its own rays and the neighbours'; all must have differentials.
-    explicit ReflectedFootprint(const PixelRays& rays);
-    /// Bounds of the rays of all its parts, itself included.
-    static RayCone bundle(const PixelRays& rays);
+    /// Footprint of a pixel by its own rays and the neighbours'.
+    explicit ReflectedFootprintT(const PixelRaysT<Real>& rays)
+        : cubic_({rays.centre.origin, rays.centre.direction}, slopes_of(rays.centre),
+                 slopes_of(rays.left), slopes_of(rays.right), slopes_of(rays.above),
+                 slopes_of(rays.below)) {}
 
     /// The ray of a pixel of `share` times the width and height around a place relative to the
     /// centre, in pixels.
-    SubpixelRay part(double x, double y, double share) const;
+    PixelRayT<Real> part(const Real& x, const Real& y, double share) const {
+        const Jet value = cubic_.at(x, y);
+        const Slopes<Jet> by = cubic_.slopes(x, y);
+        return {value.origin,
+                value.direction,
+                {by.x.origin * share, by.y.origin * share, by.x.direction * share,
+                 by.y.direction * share}};
+    }
     /// Largest deviation of the neighbours' rays from the cubic, mm, where they pass the plane that
     /// the centre's ray meets at t. It is large where the surface's curvature jumps.
-    double residual(const PixelRays& rays, double t) const;
+    Real residual(const PixelRaysT<Real>& rays, const Real& t) const {
+        const std::array<Jet, 4> told = cubic_.neighbours();
+        const std::array<const PixelRayT<Real>*, 4> is{&rays.left, &rays.right, &rays.above,
+                                                       &rays.below};
+        Real origin = 0, direction = 0;
+        for (std::size_t i = 0; i < 4; ++i) {
+            origin = max(origin, (told[i].origin - is[i]->origin).length2());
+            direction = max(direction, (told[i].direction - is[i]->direction).length2());
+        }
+        return sqrt(origin) + t * sqrt(direction);
+    }
 
 private:
     /// Origin and direction, or a derivative of them.
     struct Jet {
-        Vec3 origin{0}, direction{0};
+        Vec3T<Real> origin, direction;
 
         Jet operator+(const Jet& o) const { return {origin + o.origin, direction + o.direction}; }
         Jet operator-(const Jet& o) const { return {origin - o.origin, direction - o.direction}; }
-        Jet operator*(double s) const { return {origin * s, direction * s}; }
+        Jet operator*(const Real& s) const { return {origin * s, direction * s}; }
     };
-    static Slopes<Jet> slopes_of(const Ray& ray);
+    static Slopes<Jet> slopes_of(const PixelRayT<Real>& ray) {
+        const RayDifferentialsT<Real>& d = ray.spread;
+        return {{d.origin_dx, d.direction_dx}, {d.origin_dy, d.direction_dy}};
+    }
 
     CubicFootprint<Jet> cubic_;
 };
+/// For one pixel.
+using ReflectedFootprint = ReflectedFootprintT<double>;
 
-/// Largest deviation of the image of a pixel, or of a part of one, from the image by its own rays:
-/// footprint_nonlinearity().
-constexpr double straight_image = 0.01;
-/// True if the reflection is discontinuous across the pixel: the neighbours' rays miss the pixel's
-/// cubic by `residual` mm > 10 % of the lamp pitch. A residual > 2 % of the pitch suffices if it is
-/// > 5 % of the image's span across the lamps by the centre's `spread`.
-bool is_discontinuous(double residual, const RigPlaneHit& plane, const RayDifferentials& spread);
-/// Number of parts a side for a pixel whose image has this bend, 1 to 8; 8 if the bend is NaN. Not
-/// for negative ones.
-int parts_of_bend(double bend);
-
-/// Lamps visible in a pixel by its reflected rays.
-struct PixelMirror {
-    MirroredLight lamps;              ///< mean over the pixel
-    std::optional<RigPlaneHit> plane; ///< the nearest that the centre's ray meets
-    /// True if its image on a C-plane is not smooth: more camera rays are needed.
-    bool discontinuous = false;
-};
-
-/// Lamps in a pixel by `centre`, the ray of its centre; they are visible up to `t_max`. If the
-/// pixel's image on a C-plane is bent, by `around`, it is the mean over as many parts as make each
-/// nearly straight. `tells_torn`: whether to detect discontinuities.
-PixelMirror mirror_of(const RigPlanes& planes, const Ray& centre,
-                      const std::optional<PixelRays>& around, double t_max, bool tells_torn);
-
-/// Deviation of the corners of a pixel's image on a C-plane, by the cubic through its reflected
-/// rays, from the centre's differentials. It is stated across the lamps, in pitches. If an end of
-/// lamps may be in the image, it is also stated along them, as a share of its span. `plane`: the
-/// hit of the centre's ray. nullopt if the ray of a corner does not meet it.
-std::optional<double> footprint_nonlinearity(const RigPlaneHit& plane, const PixelRays& rays);
+/// Bounds of the rays of all parts of a pixel, itself included. With m the largest deviation of
+/// neighbours' slopes from the centre's, the second derivatives of the cubic are at most m, the
+/// third at most 2 m. The pixel extends half a unit to all sides: that adds up to
+/// 1/8 + 1/8 + 1/4 + 4/48 + 4/16 times m. For the slopes it adds up to 1/2 + 1/2 + 2/8 + 2/4 + 2/8.
+template <class Real>
+RayConeT<Real> cone_of(const PixelRaysT<Real>& rays) {
+    constexpr double off = 5.0 / 6, slope_off = 2;
+    const RayDifferentialsT<Real>& own = rays.centre.spread;
+    Real origin = 0, direction = 0; // squared
+    for (const PixelRayT<Real>* neighbour : {&rays.left, &rays.right, &rays.above, &rays.below}) {
+        const RayDifferentialsT<Real>& d = neighbour->spread;
+        origin = max(origin, max((d.origin_dx - own.origin_dx).length2(),
+                                 (d.origin_dy - own.origin_dy).length2()));
+        direction = max(direction, max((d.direction_dx - own.direction_dx).length2(),
+                                       (d.direction_dy - own.direction_dy).length2()));
+    }
+    origin = sqrt(origin), direction = sqrt(direction);
+    return {rays.centre.origin, rays.centre.direction, own, off * origin, off * direction,
+            slope_off * origin, slope_off * direction};
+}
 
 } // namespace keiko

@@ -49,6 +49,24 @@ public:
     Vec3 vector(std::size_t number, std::size_t place) const {
         return {*at(number, place), *at(number + 1, place), *at(number + 2, place)};
     }
+    /// Ray of a place that was set with differentials; `load` makes a number from the address of
+    /// the place's: of a batch the place is the first.
+    template <class Real, class Load>
+    PixelRayT<Real> ray(std::size_t place, const Load& load) const {
+        const auto vector = [&](std::size_t number) {
+            return Vec3T<Real>(load(at(number, place)), load(at(number + 1, place)),
+                               load(at(number + 2, place)));
+        };
+        return {vector(origin),
+                vector(direction),
+                {vector(origin_dx), vector(origin_dy), vector(direction_dx), vector(direction_dy)}};
+    }
+    /// Rays of a place and its neighbours in a grid of a width, all set with differentials.
+    template <class Real, class Load>
+    PixelRaysT<Real> around(std::size_t place, std::size_t width, const Load& load) const {
+        return {ray<Real>(place, load), ray<Real>(place - 1, load), ray<Real>(place + 1, load),
+                ray<Real>(place - width, load), ray<Real>(place + width, load)};
+    }
     /// Differentials of a ray that was set with them.
     RayDifferentials differentials(std::size_t place) const {
         return {vector(origin_dx, place), vector(origin_dy, place), vector(direction_dx, place),
@@ -156,8 +174,7 @@ inline Ray ReflectedGrid::ray(std::size_t place) const {
 
 inline std::optional<PixelRays> ReflectedGrid::around(std::size_t place) const {
     if (!is_amid(place)) return {};
-    return PixelRays{ray(place), ray(place - 1), ray(place + 1), ray(place - width_),
-                     ray(place + width_)};
+    return numbers_.around<double>(place, width_, [](const double* number) { return *number; });
 }
 
 } // namespace keiko

@@ -1,5 +1,6 @@
+#include "keiko/light/tubes/ray_cone.h"
+
 #include "keiko/light/tubes/c_plane_lookup.h"
-#include "keiko/light/tubes/tube_hit.h"
 
 #include <gtest/gtest.h>
 
