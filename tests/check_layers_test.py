@@ -5,7 +5,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-from check_layers import headers_of_one, name_faults, option_faults, options_named, violations
+from check_layers import headers_of_one, includable, name_faults, option_faults, options_named, violations
 from include_cycles import cycle_faults
 
 
@@ -115,6 +115,14 @@ class Headers(Tree):
                    base__b_cpp='#include "keiko/base/a.h"\n#include "keiko/base/c.h"\n',
                    base__c_h="", base__d_cpp='#include "keiko/base/c.h"\n')
         self.assert_faults(headers_of_one(self.root), "a.h: only base/b includes it")
+
+
+class Includable(unittest.TestCase):
+    def test_of_a_chamber(self):
+        self.assertEqual([used for used in includable("light/tubes") if used.startswith("light")],
+                         ["light/luminance", "light/tubes"])
+        self.assertIn("geometry/visibility", includable("light/tubes"))
+        self.assertNotIn("intersect", includable("light/tubes"))
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ function(keiko_kernels user)
     set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON
       CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON)
     target_sources(${user} PRIVATE $<TARGET_OBJECTS:${target}>)
+    set_property(TARGET ${user} APPEND PROPERTY KEIKO_KERNELS ${target})
     set_property(GLOBAL APPEND PROPERTY KEIKO_KERNEL_TARGETS ${target})
   endforeach()
 endfunction()

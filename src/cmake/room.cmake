@@ -18,7 +18,8 @@ function(keiko_room name)
   target_compile_options(keiko_${name} PRIVATE -fno-semantic-interposition)
 endfunction()
 
-# Sets `rooms` to all rooms that a target is built on, and `third_party` to the libraries these link.
+# Sets `rooms` to all rooms that a target is built on and the kernels of these (keiko_kernels), and
+# `third_party` to the libraries that they link.
 function(keiko_parts_of target rooms third_party)
   set(left ${target})
   set(found_rooms "")
@@ -34,6 +35,8 @@ function(keiko_parts_of target rooms third_party)
       elseif(kind STREQUAL "STATIC_LIBRARY" AND NOT library IN_LIST found_rooms)
         list(APPEND found_rooms ${library})
         list(APPEND left ${library})
+        get_property(kernels TARGET ${library} PROPERTY KEIKO_KERNELS)
+        list(APPEND found_rooms ${kernels})
       endif()
     endforeach()
   endwhile()

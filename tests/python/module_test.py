@@ -188,9 +188,31 @@ class ModuleTest(unittest.TestCase):
             self.assertEqual([float(cells[0]), int(cells[1]), *map(float, cells[2:])],
                              [hit["t"], hit["face"], *hit["position"]])
 
+    def test_rays_see_the_ground_as_those_of_the_program_do(self):
+        path = Path(self.folder.name) / "ground.toml"
+        path.write_text('format = "keiko-scene/1"\n[[model]]\nfile = "sheets.bpt"\n[ground]\nz = -60.0\n', encoding="utf-8")
+        run = subprocess.run([PROGRAM, "trace", path, "--out", "t,face"], input=b"400,0,100,0,0,-1\n",
+                             stdout=subprocess.PIPE, check=True)
+        self.assertEqual(run.stdout.decode().splitlines()[1], "160,0")
+        hit = keiko.open_scene(path).trace(np.array([[400, 0, 100, 0, 0, -1]]))[0]
+        self.assertEqual((hit["t"], hit["face"]), (160, 0))
+
     def test_rays_of_another_shape_are_refused(self):
         with self.assertRaisesRegex(keiko.Error, "rays: an array of n rows of 6"):
             self.scene.trace(np.zeros((4, 5)))
+
+    def test_rays_that_the_program_refuses_are_refused(self):
+        good = [0, 0, 10, 0, 0, -1]
+        for bad, reason in (([0, 0, 10, 0, 0, 0], "dx,dy,dz is no direction: all are 0"),
+                            ([np.nan, 0, 10, 0, 0, -1], "ox,oy,oz is not finite"),
+                            ([0, 0, 10, 0, 0, np.inf], "dx,dy,dz is not finite"),
+                            ([0, 0, 1e14, 0, 0, -1], "ox,oy,oz is over 1e8 times the body's size away"),
+                            ([0, 0, 1e16, 0, 0, -1], "ox,oy,oz ")):
+            with self.assertRaisesRegex(keiko.Error, rf"rays\[2\]: {re.escape(reason)}"):
+                self.scene.trace(np.array([good, good, bad]))
+        lit = keiko.open_scene(ROOT / "surfaces/hood-scene.toml")
+        with self.assertRaisesRegex(keiko.Error, r"points\[0\]: nx,ny,nz is no direction"):
+            keiko.illuminance(lit, [[0, 0, 900]], [[0, 0, 0]])
 
     def test_check_is_that_of_the_program(self):
         checked = keiko.check(self.sheets)
@@ -209,13 +231,58 @@ class ModuleTest(unittest.TestCase):
         told("inspect", self.sheets, "-o", out, "-q", "--view", "top")
         report = keiko.inspect(self.scene, views=["top"])
         report.write(ours)
-        written = [path for path in out.iterdir() if path.name != ".keiko-results"]
-        self.assertEqual(sorted(p.name for p in ours.iterdir()), sorted(p.name for p in written))
-        for path in written:
+        self.assertEqual(sorted(p.name for p in ours.iterdir()), sorted(p.name for p in out.iterdir()))
+        for path in out.iterdir():
             self.assertEqual((ours / path.name).read_bytes(), path.read_bytes(), path.name)
         self.assertEqual(report.html, (out / "report.html").read_text(encoding="utf-8"))
         self.assertTrue(report._repr_html_().startswith("<iframe"))
         self.assertEqual(pickle.loads(pickle.dumps(report)).verdict, report.verdict)
+
+    def test_a_report_replaces_the_one_before(self):
+        ours = Path(self.folder.name) / "replaced"
+        keiko.inspect(self.scene, views=["top"]).write(ours)
+        (ours / "mine.txt").write_text("mine", encoding="utf-8")
+        self.assertTrue((ours / "top-marked.png").is_file())
+        keiko.inspect(self.scene, views=["high-left"]).write(ours)
+        self.assertFalse((ours / "top-marked.png").exists())
+        self.assertTrue((ours / "high-left-marked.png").is_file())
+        self.assertTrue((ours / "mine.txt").is_file())
+
+    def test_a_written_rig_finds_its_luminaires(self):
+        luminaire = Path(self.folder.name) / "lamp.ies"
+        luminaire.write_bytes((ROOT / "surfaces/road-lantern.ies").read_bytes())
+        rig, out = Path(self.folder.name) / "lit.toml", Path(self.folder.name) / "deep" / "lit"
+        rig.write_text('format = "keiko-rig/1"\n[[luminaire]]\nfile = "lamp.ies"\nposition = [0.0, 0.0, 3000.0]\n'
+                       'aim = [0.0, 0.0, 0.0]\n', encoding="utf-8")
+        report = keiko.inspect(self.scene, views=["top"], rig=rig)
+        pickle.loads(pickle.dumps(report)).write(out)
+        ours = (out / "rig.toml").read_bytes()
+        told("inspect", self.sheets, "-o", out, "--view", "top", "--rig", rig, "-q")
+        self.assertEqual(ours, (out / "rig.toml").read_bytes())
+        self.assertIn(b"lamp.ies", ours)
+
+    def test_findings_are_what_the_verdict_rests_on(self):
+        car = keiko.check(CAR)
+        self.assertEqual(car.verdict, "pass")
+        self.assertEqual(car.findings, [])
+        self.assertGreater(len(car.looks), 0)
+        self.assertEqual(len(car.findings) + len(car.looks), len(car.to_dict()["findings"]))
+        self.assertIn(f"{len(car.looks)} looks", repr(car))
+
+    def test_pictures_have_the_size_and_the_ground_of_the_program(self):
+        scene = Path(self.folder.name) / "camera.toml"
+        scene.write_text('format = "keiko-scene/1"\n[[model]]\nfile = "sheets.bpt"\n[ground]\nz = -60.0\n[camera]\n'
+                         'eye = [-500.0, -900.0, 700.0]\ntarget = [150.0, 0.0, 0.0]\n', encoding="utf-8")
+        path = Path(self.folder.name) / "sized.png"
+        opened = keiko.open_scene(scene)
+        for view in ("", "scene", "standing-left", "auto"):
+            named = ["--view", view] if view else []
+            told("render", scene, *named, "--size", "64x36", "-o", path, "-q")
+            film = keiko.render(opened, view, width=64, height=36)
+            self.assertEqual(np.asarray(film).shape, (36, 64, 3), view)
+            self.assertEqual(film._repr_png_(), path.read_bytes(), view)
+        told("render", self.sheets, "--size", "64x36", "-o", path, "-q")
+        self.assertEqual(keiko.render(self.sheets, width=64, height=36)._repr_png_(), path.read_bytes())
 
     def test_pictures_are_arrays(self):
         film = keiko.render(self.scene, "top", width=64, height=36, aovs=["depth", "normal"])
@@ -296,8 +363,11 @@ class ModuleTest(unittest.TestCase):
         self.assertIsInstance(caught.exception, ValueError)
         with self.assertRaises(keiko.Error):
             keiko.check(self.sheets, "no-such-preset")
-        with self.assertRaises(TypeError):
-            keiko.open_scene(7)
+        for wrong in (7, [1, 2], [self.sheets, None], b"bytes"):
+            with self.assertRaises(TypeError):
+                keiko.open_scene(wrong)
+        with self.assertRaisesRegex(keiko.Error, "no file is named"):
+            keiko.open_scene([])
 
     def test_progress_is_told_and_may_stop(self):
         stages = []

@@ -15,21 +15,22 @@
 namespace keiko::cli {
 namespace {
 
-LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Camera& camera,
+LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const NamedView& view,
                 const Job& job) {
-    if (arguments.rig != "auto") return read_rig(arguments.rig);
-    if (scene.rig) return *scene.rig;
-    return place_lamps(scene.tracer, scene.model, camera, {}, job).rig;
+    std::optional<std::filesystem::path> rig;
+    if (arguments.rig != "auto") rig = arguments.rig;
+    return choose_lights(scene, rig, std::span(&view, 1), {}, job).rig;
 }
 
 /// Renders an analysis picture. Only highlight lines use a rig's lamps; the rest of the light is
 /// not computed.
 void render_look(const RenderArguments& arguments, const ChosenMode& chosen, const Scene& scene,
-                 const Camera& camera, const Job& job) {
+                 const NamedView& view, const Job& job) {
     const LightRig rig =
-        chosen.look == AnalysisMode::highlight ? rig_of(scene, arguments, camera, job) : LightRig{};
-    const Film film = render_view(scene, {}, camera, {.aovs = look_layers(), .max_depth = 0}, job);
-    write_png(arguments.output, analysis_picture(chosen.look, film, camera, rig, chosen.full));
+        chosen.look == AnalysisMode::highlight ? rig_of(scene, arguments, view, job) : LightRig{};
+    const Film film =
+        render_view(scene, {}, view.camera, {.aovs = look_layers(), .max_depth = 0}, job);
+    write_png(arguments.output, analysis_picture(chosen.look, film, view.camera, rig, chosen.full));
 }
 
 /// "picture.png" of frame 7 is "picture-0007.png".
@@ -49,15 +50,15 @@ void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye)
     log_warning(text.str());
 }
 
-void render_lamps(const RenderArguments& arguments, const Scene& scene, const Camera& camera,
+void render_lamps(const RenderArguments& arguments, const Scene& scene, const NamedView& view,
                   const Job& job) {
-    const LightRig rig = rig_of(scene, arguments, camera, job);
-    warn_of_thick_fog(scene, rig, camera.eye);
+    const LightRig rig = rig_of(scene, arguments, view, job);
+    warn_of_thick_fog(scene, rig, view.camera.eye);
     PictureOptions options{.aovs = arguments.aovs(), .tubes = arguments.tubes()};
     options.light_error = arguments.light_error, options.edge_samples = arguments.edge_samples;
     const ShownQuantity quantity = arguments.quantity();
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
-    const Film film = render_view(scene, rig, camera, options, job);
+    const Film film = render_view(scene, rig, view.camera, options, job);
     if (arguments.false_color)
         write_png(arguments.output,
                   false_color_picture(film, arguments.scale(), arguments.iso_lines, quantity));
@@ -82,9 +83,9 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
     arguments.scene.warn_of_axes(scene, names);
     const NamedView view = choose_views(scene, names, 1, job).front();
     if (const auto look = arguments.look())
-        render_look(arguments, *look, scene, view.camera, job);
+        render_look(arguments, *look, scene, view, job);
     else
-        render_lamps(arguments, scene, view.camera, job);
+        render_lamps(arguments, scene, view, job);
     if (!arguments.hits.empty())
         write_text_file(arguments.hits,
                         hits_text(register_hits(scene.tracer, scene.model, {view}, job)));

@@ -1,11 +1,14 @@
 #include "keiko/api/check.h"
 #include "keiko/api/inspect.h"
+#include "keiko/api/place.h"
 #include "keiko/api/results.h"
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+
+#include <map>
 
 namespace py = pybind11;
 
@@ -45,11 +48,26 @@ py::dict inspect(const OpenScene& open, const std::string& preset, double join,
     }));
 }
 
+/// Writes the files of a report as `keiko inspect` does: earlier results in the folder are
+/// withdrawn, and the rig names its luminaires from there. `base`: the folder from which it does.
+void write_report(const std::filesystem::path& folder,
+                  const std::map<std::string, std::string>& files,
+                  const std::filesystem::path& base) {
+    FolderContent content(files.begin(), files.end());
+    if (const auto rig = content.find("rig.toml"); rig != content.end())
+        rig->second = rig_text(parse_rig(rig->second, (base / rig->first).string()), folder);
+    withdraw_results({.files = {}, .folders = {folder}}, {});
+    FileTransaction outputs;
+    outputs.add_folder(folder, with_manifest(std::move(content)));
+    outputs.write();
+}
+
 } // namespace
 
 void add_inspections(py::module_& module) {
     module.def("check_json", &check);
     module.def("report_files", &inspect);
+    module.def("write_report", &write_report);
 }
 
 } // namespace keiko::python

@@ -28,8 +28,26 @@ std::vector<std::filesystem::path> paths_of(const py::object& input) {
     if (py::isinstance<py::str>(input) || py::hasattr(input, "__fspath__"))
         return {input.cast<std::filesystem::path>()};
     std::vector<std::filesystem::path> paths;
-    for (const py::handle& one : input) paths.push_back(one.cast<std::filesystem::path>());
+    for (const py::handle& one : input) {
+        if (!py::isinstance<py::str>(one) && !py::hasattr(one, "__fspath__"))
+            throw py::type_error("a path or a sequence of paths is needed");
+        paths.push_back(one.cast<std::filesystem::path>());
+    }
+    if (paths.empty()) throw FieldError("input", "no file is named");
     return paths;
+}
+
+std::vector<Ray> rays_of(const NumberRows& array, const char* field, const char* meaning) {
+    if (array.ndim() != 2 || array.shape(1) != 6)
+        throw FieldError(field, std::string("an array of n rows of 6 is needed: ") + meaning);
+    const auto numbers = array.unchecked<2>();
+    std::vector<Ray> rays(static_cast<std::size_t>(array.shape(0)));
+    for (py::ssize_t i = 0; i < array.shape(0); ++i) {
+        const auto at = [&](py::ssize_t k) { return numbers(i, k); };
+        Ray& ray = rays[static_cast<std::size_t>(i)];
+        ray.origin = {at(0), at(1), at(2)}, ray.direction = {at(3), at(4), at(5)};
+    }
+    return rays;
 }
 
 } // namespace keiko::python

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/api/scene.h"
-#include "keiko/base/error.h"
+#include "keiko/api/trace.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -25,22 +25,20 @@ struct OpenScene {
 /// Rows of numbers of any array that NumPy can make one of.
 using NumberRows = pybind11::array_t<double, pybind11::array::c_style | pybind11::array::forcecast>;
 
-/// The numbers of an array of n rows of six, by row and column. Throws FieldError for another
-/// shape; `meaning`: what a row holds.
-inline auto rows_of_six(const NumberRows& array, const char* field, const char* meaning) {
-    if (array.ndim() != 2 || array.shape(1) != 6)
-        throw FieldError(field, std::string("an array of n rows of 6 is needed: ") + meaning);
-    return array.unchecked<2>();
-}
+/// Rays of an array of n rows of six: origin and direction, or point and normal. Throws FieldError
+/// for another shape; `meaning`: what a row holds.
+std::vector<Ray> rays_of(const NumberRows& array, const char* field, const char* meaning);
 
-/// Paths of one path, or of a sequence of paths. Raises TypeError for anything else.
+/// Paths of one path, or of a sequence of paths. Raises TypeError for anything else, and ValueError
+/// for an empty sequence.
 std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 
 /// The class Scene, what it traces, and the function open_scene.
 void add_scenes(pybind11::module_& module);
-/// The functions check and inspect.
+/// The functions check_json and report_files, and write_report.
 void add_inspections(pybind11::module_& module);
-/// The functions place, lines, compare, info, regress and illuminance.
+/// The functions place, lines_json, compare_json, info_json, regress_json, accept_baselines and
+/// illuminance_rows.
 void add_verbs(pybind11::module_& module);
 /// The function render and the class Film.
 void add_pictures(pybind11::module_& module);

@@ -18,24 +18,20 @@ py::array array_of(const Image& image, const py::object& owner) {
                               owner);
 }
 
-Camera camera_of(const Scene& scene, const std::string& view, int width, int height) {
-    if (view.empty() && scene.camera) return *scene.camera;
-    const Framing framing{.width = width, .height = height};
-    return frame_view(view.empty() ? scene.view.value_or("three-quarter-front-left") : view,
-                      scene.tracer.bounds(), framing);
-}
-
 Film render(const OpenScene& open, const std::string& view,
-            const std::optional<std::filesystem::path>& rig, int width, int height,
-            const std::vector<std::string>& aovs, const py::object& progress, int threads) {
+            const std::optional<std::filesystem::path>& rig, std::optional<int> width,
+            std::optional<int> height, const std::vector<std::string>& aovs,
+            const py::object& progress, int threads) {
     return run({progress, threads}, [&](const Job& job) {
         const Scene& scene = *open.scene;
-        const Camera camera = camera_of(scene, view, width, height);
+        const std::vector<std::string> names(view.empty() ? 0 : 1, view);
+        const NamedView seen = choose_views(scene, names, 1, width.value_or(scene.width),
+                                            height.value_or(scene.height), job)
+                                   .front();
         PictureOptions options;
         for (const std::string& name : aovs) options.aovs.push_back(aov_by_name(name));
-        const NamedView seen{view, camera};
         const LightRig lamps = choose_lights(scene, rig, std::span(&seen, 1), {}, job).rig;
-        return render_view(scene, lamps, camera, picture_options(scene, options), job);
+        return render_view(scene, lamps, seen.camera, picture_options(scene, options), job);
     });
 }
 

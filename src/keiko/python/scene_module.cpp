@@ -1,5 +1,4 @@
 #include "keiko/api/trace.h"
-#include "keiko/base/parallel.h"
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
@@ -7,8 +6,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
-#include <cmath>
 #include <limits>
+#include <memory>
 
 namespace py = pybind11;
 
@@ -36,9 +35,9 @@ HitRow row_of_nothing() {
     return row;
 }
 
-HitRow row_of(const Scene& scene, const Hit& hit) {
+HitRow row_of(const Hit& hit) {
     HitRow row = row_of_nothing();
-    row.t = hit.t, row.face = scene.face_id(hit.face);
+    row.t = hit.t, row.face = hit.face;
     row.instance = hit.instance, row.patch = hit.patch;
     row.flags = static_cast<std::uint32_t>(hit.flags);
     row.uv[0] = hit.uv.x, row.uv[1] = hit.uv.y;
@@ -47,17 +46,6 @@ HitRow row_of(const Scene& scene, const Hit& hit) {
     row.k1 = bent.k1, row.k2 = bent.k2;
     row.bound = hit.position_bound;
     return row;
-}
-
-std::vector<Ray> rays_of(const NumberRows& array) {
-    const auto numbers = rows_of_six(array, "rays", "origin and direction");
-    std::vector<Ray> rays(static_cast<std::size_t>(array.shape(0)));
-    for (py::ssize_t i = 0; i < array.shape(0); ++i) {
-        const auto at = [&](py::ssize_t k) { return numbers(i, k); };
-        Ray& ray = rays[static_cast<std::size_t>(i)];
-        ray.origin = {at(0), at(1), at(2)}, ray.direction = {at(3), at(4), at(5)};
-    }
-    return rays;
 }
 
 /// The array takes over the rows.
@@ -72,16 +60,13 @@ py::array array_of(std::vector<HitRow> rows) {
 
 py::array trace(const OpenScene& open, const NumberRows& array, const py::object& progress,
                 int threads) {
-    const std::vector<Ray> rays = rays_of(array);
+    const std::vector<Ray> rays = rays_of(array, "rays", "origin and direction");
     return array_of(run({progress, threads}, [&](const Job& job) {
         std::vector<HitRow> rows(rays.size());
-        constexpr std::size_t chunk = 4096;
-        parallel_for((rays.size() + chunk - 1) / chunk, job, "trace", [&](std::size_t i) {
-            const std::size_t first = i * chunk, count = std::min(chunk, rays.size() - first);
-            const auto hits = open.scene->tracer.first_hits(std::span(rays).subspan(first, count));
-            for (std::size_t k = 0; k < count; ++k)
-                rows[first + k] = hits[k] ? row_of(*open.scene, *hits[k]) : row_of_nothing();
-        });
+        trace_hits(
+            *open.scene, rays,
+            [&](std::size_t i, const Hit* hit) { rows[i] = hit ? row_of(*hit) : row_of_nothing(); },
+            job);
         return rows;
     }));
 }

@@ -13,13 +13,15 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <map>
+#include <span>
+#include <utility>
 
 namespace py = pybind11;
 
 namespace keiko::python {
 namespace {
 
-/// Placed lamps, and how much of the body they reach.
+/// Placed lamps, and the share of the body that mirrors them.
 struct PlacedLamps {
     LightRig rig;
     double coverage = 0;
@@ -97,30 +99,32 @@ std::map<std::string, std::vector<std::string>> accept_baselines(
     });
 }
 
-/// Lines of six numbers, as streams of points have them.
-std::string lines_of(const NumberRows& array) {
-    const auto numbers = rows_of_six(array, "points", "point and normal");
+/// Lines of points and normals, as streams of points have them.
+std::string point_lines(std::span<const Ray> points) {
     std::string text;
-    for (py::ssize_t i = 0; i < array.shape(0); ++i)
-        for (py::ssize_t k = 0; k < 6; ++k) {
-            append_number(text, numbers(i, k));
-            text += k < 5 ? ',' : '\n';
-        }
+    for (const Ray& at : points)
+        for (const auto& [vector, end] : {std::pair(at.origin, ','), {at.direction, '\n'}})
+            for (int k = 0; k < 3; ++k) {
+                append_number(text, vector[k]);
+                text += k < 2 ? ',' : end;
+            }
     return text;
 }
 
 /// The rows of light_points, which Python reads.
 std::string illuminance(const OpenScene& open, const NumberRows& points, const py::object& progress,
                         int threads) {
-    const std::string asked = lines_of(points);
+    const std::vector<Ray> at = rays_of(points, "points", "point and normal");
+    require_rays(at, "points", {}, point_header);
+    const std::string asked = point_lines(at);
     return run({progress, threads}, [&](const Job& job) {
-        std::size_t at = 0;
+        std::size_t done = 0;
         std::string rows;
         light_points(
             *open.scene,
             [&](std::span<char> into) {
-                const std::size_t count = asked.copy(into.data(), into.size(), at);
-                at += count;
+                const std::size_t count = asked.copy(into.data(), into.size(), done);
+                done += count;
                 return count;
             },
             [&](std::string_view more) {

@@ -23,6 +23,7 @@ struct Piece : RowPiece {
 std::vector<std::string> columns_of(const LightRig& rig) {
     constexpr std::array<std::string_view, std::variant_size_v<LightSource>> kinds{
         "c_plane", "spotlight", "luminaire", "sun"};
+    static_assert(!kinds.back().empty(), "each kind of light has a name");
     std::array<int, kinds.size()> counts{};
     std::vector<std::string> columns;
     for (const LightSource& source : rig.sources) {

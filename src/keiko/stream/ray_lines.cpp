@@ -75,6 +75,22 @@ std::optional<Refusal> refusal_of(const Ray& ray, std::string_view header) {
     return std::nullopt;
 }
 
+/// True for an origin from which doubles do not resolve the intersection with a body.
+bool is_far(const Ray& ray, const Box3& body) {
+    constexpr double sizes = 1e8;
+    return !body.empty() && !body.contains(ray.origin) &&
+           std::max(ray.origin.length(), (ray.origin - body.center()).length()) >
+               sizes * body.size();
+}
+constexpr std::string_view too_far = "is over 1e8 times the body's size away";
+
+std::optional<Refusal> refusal_of(const Ray& ray, std::string_view header, const Box3& body) {
+    if (!is_finite(ray.origin)) return Refusal{place_names(header), "is not finite"};
+    if (!is_finite(ray.direction)) return Refusal{direction_names(header), "is not finite"};
+    if (is_far(ray, body)) return Refusal{place_names(header), std::string(too_far)};
+    return refusal_of(ray, header);
+}
+
 Refusal wrong_count(std::string_view line, std::size_t count, std::string_view header) {
     const std::string got = is_blank(line) ? "an empty line"
                             : count == 1   ? "1 field"
@@ -204,6 +220,14 @@ ParsedRays rays_of(const RayLines& lines, std::string_view header) {
     return parsed;
 }
 
+void require_rays(std::span<const Ray> rays, const std::string& field, const Box3& body,
+                  std::string_view header) {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        if (const auto refusal = refusal_of(rays[i], header, body))
+            throw FieldError(field + "[" + std::to_string(i) + "]",
+                             std::string(refusal->field) + " " + refusal->reason);
+}
+
 void end_before(ParsedRays& parsed, const RayLines& lines, std::size_t ray,
                 const std::string& reason, std::string_view header) {
     parsed.fault = fault_at(lines.first_line + ray, {place_names(header), reason});
@@ -211,16 +235,11 @@ void end_before(ParsedRays& parsed, const RayLines& lines, std::size_t ray,
 }
 
 void end_before_far_origins(ParsedRays& parsed, const RayLines& lines, const Box3& body) {
-    if (body.empty()) return;
-    const double farthest = 1e8 * body.size();
-    const auto is_far = [&](const Ray& ray) {
-        return !body.contains(ray.origin) &&
-               std::max(ray.origin.length(), (ray.origin - body.center()).length()) > farthest;
-    };
-    const auto far = std::find_if(parsed.rays.begin(), parsed.rays.end(), is_far);
+    const auto far = std::find_if(parsed.rays.begin(), parsed.rays.end(),
+                                  [&](const Ray& ray) { return is_far(ray, body); });
     if (far == parsed.rays.end()) return;
     end_before(parsed, lines, static_cast<std::size_t>(far - parsed.rays.begin()),
-               "is over 1e8 times the body's size away");
+               std::string(too_far));
 }
 
 } // namespace keiko

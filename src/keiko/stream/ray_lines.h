@@ -72,6 +72,12 @@ struct ParsedRays {
 /// along their normals; the header names the columns in errors.
 ParsedRays rays_of(const RayLines& lines, std::string_view header = ray_header);
 
+/// Throws FieldError, which names the field and the index of the ray, for the first ray that
+/// rays_of would refuse, or that end_before_far_origins() would in the sight of a body with these
+/// bounds.
+void require_rays(std::span<const Ray> rays, const std::string& field, const Box3& body,
+                  std::string_view header = ray_header);
+
 /// Ends the rays of `lines` before one of them, for a `reason` about its origin.
 void end_before(ParsedRays& parsed, const RayLines& lines, std::size_t ray,
                 const std::string& reason, std::string_view header = ray_header);

@@ -11,21 +11,23 @@ double arc_minutes(double radians) {
     return 60 * radians_to_degrees(radians);
 }
 
-/// Ratio of an angle that the eye sees on a body of this curvature to the same on a plane.
-double shrinking(double curvature, const LineOfSight& sight) {
-    return sight.cosine / (sight.cosine + 2 * std::abs(curvature) * sight.distance);
-}
-
 } // namespace
+
+double image_size(double curvature, const LineOfSight& sight) {
+    const double turned = sight.cosine + 2 * curvature * sight.distance;
+    if (std::abs(turned) * largest_image <= sight.cosine)
+        return std::copysign(largest_image, turned);
+    return sight.cosine / turned;
+}
 
 double break_of_angle(double angle, double curvature, const LineOfSight& sight) {
     if (!(sight.cosine > 0)) return 0;
-    return 60 * 2 * angle * shrinking(curvature, sight);
+    return 60 * 2 * angle * std::abs(image_size(curvature, sight));
 }
 
 double break_of_curvatures(double a, double b, const LineOfSight& sight) {
     if (!(sight.cosine > 0)) return 0;
-    return lamp_width * std::abs(shrinking(a, sight) - shrinking(b, sight));
+    return lamp_width * std::abs(image_size(a, sight) - image_size(b, sight));
 }
 
 double break_of_gap(double gap, const LineOfSight& sight) {

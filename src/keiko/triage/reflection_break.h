@@ -11,13 +11,20 @@ struct LineOfSight {
 /// Arc minutes: width of the reflected lamp from the place of the body, a tube of 60 mm at 2 m.
 constexpr double lamp_width = 103.1;
 
+/// Size in which the eye sees the reflection of a distant lamp, over that on a plane:
+/// 1 / (1 + 2 k d / c). `curvature` in 1/mm, in the plane of incidence, above 0 where the surface
+/// bulges towards the eye. Below 0 behind the focus of a hollow place, where the reflection is
+/// upside down; at most `largest_image` either way. Derivation: docs/theory/triage.md.
+double image_size(double curvature, const LineOfSight& sight);
+/// Limit of image_size(): near the focus of a hollow place the eye sees no lamp, but one colour.
+constexpr double largest_image = 10;
+
 /// Arc minutes by which the reflection of a distant lamp is torn apart where the normal turns by
-/// `angle` degrees, seen from the eye: 2 a / (1 + 2 |k| d / c). `curvature` in 1/mm, across the
-/// tear. 0 at grazing incidence. Derivation: docs/theory/triage.md.
+/// `angle` degrees, seen from the eye. `curvature` as in image_size(). 0 at grazing incidence.
 double break_of_angle(double angle, double curvature, const LineOfSight& sight);
 
-/// Arc minutes by which the width of the reflection of a lamp of `lamp_width` changes where the
-/// curvature across it jumps from `a` to `b`, 1/mm.
+/// Arc minutes by which the reflection of a lamp of `lamp_width` changes where the curvature jumps
+/// from `a` to `b`, as in image_size(). Its width changes; where it turns over, both widths add up.
 double break_of_curvatures(double a, double b, const LineOfSight& sight);
 
 /// Arc minutes of a gap of `gap` mm, seen squarely.

@@ -25,11 +25,13 @@ LineOfSight line_of_sight(const SightPlace& at, const Vec3& eye) {
     return {distance, std::min(std::abs(way.dot(at.normal)) / distance, 1.0)};
 }
 
-/// Arc minutes: the widest break that the place shows.
-double break_at(const SightPlace& at, const LineOfSight& sight) {
-    const double curvature = std::min(std::abs(at.curvature_a), std::abs(at.curvature_b));
-    return std::max({break_of_gap(at.gap, sight), break_of_angle(at.angle, curvature, sight),
-                     break_of_curvatures(at.curvature_a, at.curvature_b, sight)});
+/// Arc minutes: the widest break that the place shows to an eye.
+double break_at(const SightPlace& at, const Vec3& eye) {
+    const LineOfSight sight = line_of_sight(at, eye);
+    const double bulges = (eye - at.place).dot(at.normal) > 0 ? -1 : 1;
+    const double a = bulges * at.curvature_a, b = bulges * at.curvature_b;
+    return std::max({break_of_gap(at.gap, sight), break_of_angle(at.angle, a, sight),
+                     break_of_angle(at.angle, b, sight), break_of_curvatures(a, b, sight)});
 }
 
 /// Arc minutes under which the eye sees the length of a place.
@@ -43,7 +45,10 @@ double seen_length(const SightPlace& at, const Vec3& eye) {
 /// A place of a seam with what its class lets be a fault: the angle of a crease is its design.
 SightPlace place_of(const SeamPoint& point, const BoundaryFrame& frame, double length,
                     const MeasuredSeam& seam) {
-    SightPlace at{point.place, frame.normal, frame.tangent, length, point.gap, 0, 0, 0};
+    // The side of the surface by which SeamProbe counts curvatures.
+    const bool same_side = frame.tangent.cross(frame.inward).dot(frame.normal) > 0;
+    const Vec3 normal = same_side ? frame.normal : -frame.normal;
+    SightPlace at{point.place, normal, frame.tangent, length, point.gap, 0, 0, 0};
     if (seam.kind != SeamClass::smooth || !point.angle) return at;
     at.angle = *point.angle;
     at.curvature_a = point.curvature_a, at.curvature_b = point.curvature_b;
@@ -106,11 +111,12 @@ std::size_t Sight::best_view() const {
                                     weight.begin());
 }
 
-StandingEyes::StandingEyes(const SurfaceModel& model, const Tracer& tracer)
+StandingEyes::StandingEyes(const SurfaceModel& model, const Tracer& tracer,
+                           std::optional<double> ground)
     : model_(model), tracer_(tracer) {
     constexpr double nearest = 3000; // mm, as the standing views have it
     for (std::size_t i = 0; i < eyes_.size(); ++i) {
-        const Camera camera = frame_view(standing_views[i], tracer.bounds());
+        const Camera camera = frame_view(standing_views[i], tracer.bounds(), {.ground = ground});
         const Vec3 way = camera.eye - camera.target;
         eyes_[i] = camera.target + way * std::max(1.0, nearest / way.length());
     }
@@ -138,7 +144,7 @@ Sight StandingEyes::sight(std::span<const SightPlace> places) const {
         bool is_seen = false;
         for (std::size_t v = 0; v < eyes_.size(); ++v) {
             if (!shows[v * places.size() + i]) continue;
-            const double width = break_at(places[i], line_of_sight(places[i], eyes_[v]));
+            const double width = break_at(places[i], eyes_[v]);
             sight.width = std::max(sight.width, width);
             sight.weight[v] += width * seen_length(places[i], eyes_[v]);
             is_seen = true;

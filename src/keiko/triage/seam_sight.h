@@ -4,6 +4,7 @@
 #include "keiko/intersect/traversal/tracer.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace keiko {
@@ -36,20 +37,22 @@ struct Sight {
 /// A place of a finding, and how a reflection breaks there.
 struct SightPlace {
     Vec3 place{0};          ///< world, mm
-    Vec3 normal{0};         ///< unit, of either side of the surface
+    Vec3 normal{0};         ///< unit, of either side of the surface; 0 for a hidden place
     Vec3 along{0};          ///< unit, of the run of the finding; 0 for a place
     double length = 0;      ///< mm of it that the place stands for
     double gap = 0;         ///< mm
     double angle = 0;       ///< degrees
-    double curvature_a = 0; ///< 1/mm, across the run, on one side
+    double curvature_a = 0; ///< 1/mm, across the run, on one side; above 0 towards the normal
     double curvature_b = 0; ///< 1/mm, on the other
 };
 
 /// The eyes of the standing views about a body.
 class StandingEyes {
 public:
-    /// Keeps references to both. `tracer`: of the model.
-    StandingEyes(const SurfaceModel& model, const Tracer& tracer);
+    /// Keeps references to both. `tracer`: of the model. `ground`: z of the floor on which the
+    /// viewers stand, mm; none: the lowest z of the body.
+    StandingEyes(const SurfaceModel& model, const Tracer& tracer,
+                 std::optional<double> ground = {});
 
     /// Sight of places that belong to one finding.
     Sight sight(std::span<const SightPlace> places) const;

@@ -1,5 +1,6 @@
 #include "keiko/triage/triage.h"
 
+#include "keiko/base/parallel.h"
 #include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/math/disjoint_sets.h"
 #include "keiko/scene/symmetry.h"
@@ -16,9 +17,8 @@ namespace keiko {
 namespace {
 
 /// Mendings of criteria, by their codes. All others ask for another layout.
-constexpr std::array<std::pair<std::string_view, Mending>, 14> mendings{
+constexpr std::array<std::pair<std::string_view, Mending>, 13> mendings{
     {{"G-SU-LG", Mending::position},
-     {"KEIKO-OPENING", Mending::position},
      {"KEIKO-SYMMETRY", Mending::position},
      {"G-SU-NT", Mending::tangent},
      {"KEIKO-LINE-JUMP", Mending::tangent},
@@ -38,7 +38,8 @@ Mending mending_of(const Check& check) {
     return Mending::layout;
 }
 
-/// The findings of one stretch, of one face, or of lines over what has no other finding.
+/// Findings that are one fault wherever they lie: those of one stretch, those of one face that ask
+/// for the same mending, or those of lines over what has no other finding.
 struct Unit {
     std::uint32_t seam = no_index, face = no_index;
     Mending mending = Mending::layout;
@@ -46,27 +47,60 @@ struct Unit {
     Sight sight;
 };
 
-/// Findings by what they are of. Lines join the first unit of the same faces.
-std::vector<Unit> units_of(const Inspection& inspection) {
-    std::vector<Unit> units;
-    std::map<std::tuple<std::uint32_t, std::uint32_t, std::string>, std::size_t> known;
-    std::map<std::string, std::size_t> by_faces;
-    for (std::size_t i = 0; i < inspection.findings.size(); ++i) {
-        const Check& check = inspection.findings[i];
-        const bool of_line = check.seam == no_index && check.face == no_index;
-        const auto same = by_faces.find(check.faces);
-        if (of_line && same != by_faces.end()) {
-            units[same->second].findings.push_back(i);
-            continue;
-        }
-        const auto [at, is_new] =
-            known.try_emplace({check.seam, check.face, of_line ? check.faces : ""}, units.size());
-        if (is_new) units.push_back({check.seam, check.face, mending_of(check), {}, {}});
-        units[at->second].findings.push_back(i);
-        if (check.face == no_index) by_faces.emplace(check.faces, at->second);
-    }
-    return units;
+/// mm: distance of a place from the nearest known place of a stretch.
+double distance_to(const MeasuredSeam& seam, const Vec3& place) {
+    double nearest = HUGE_VAL;
+    for (const std::vector<Vec3>& piece : seam.course)
+        for (const Vec3& at : piece) nearest = std::min(nearest, (at - place).length());
+    return nearest;
 }
+
+/// Findings by what they are of.
+class UnitMaker {
+public:
+    explicit UnitMaker(const Inspection& inspection) : inspection_(inspection) {
+        const auto is_of_line = [&](std::size_t i) {
+            const Check& check = inspection.findings[i];
+            return check.seam == no_index && check.face == no_index;
+        };
+        for (std::size_t i = 0; i < inspection.findings.size(); ++i)
+            if (!is_of_line(i)) add(i, {});
+        for (std::size_t i = 0; i < inspection.findings.size(); ++i)
+            if (is_of_line(i)) add_line(i);
+    }
+    std::vector<Unit> units() && { return std::move(units_); }
+
+private:
+    using Key = std::tuple<std::uint32_t, std::uint32_t, Mending, std::string>;
+
+    void add(std::size_t finding, const std::string& line_over) {
+        const Check& check = inspection_.findings[finding];
+        const Mending mending = check.seam == no_index ? mending_of(check) : Mending::layout;
+        const auto [at, is_new] =
+            known_.try_emplace(Key(check.seam, check.face, mending, line_over), units_.size());
+        if (is_new) units_.push_back({check.seam, check.face, mending_of(check), {}, {}});
+        units_[at->second].findings.push_back(finding);
+    }
+    void add_line(std::size_t finding) {
+        const Check& check = inspection_.findings[finding];
+        Unit* nearest = nullptr;
+        double distance = HUGE_VAL;
+        for (Unit& unit : units_) {
+            if (unit.seam == no_index || inspection_.seams[unit.seam].faces != check.faces)
+                continue;
+            const double own = distance_to(inspection_.seams[unit.seam], check.worst.place);
+            if (!nearest || own < distance) nearest = &unit, distance = own;
+        }
+        if (nearest)
+            nearest->findings.push_back(finding);
+        else
+            add(finding, check.faces);
+    }
+
+    const Inspection& inspection_;
+    std::vector<Unit> units_;
+    std::map<Key, std::size_t> known_;
+};
 
 /// An end of a stretch and the direction in which the stretch leads out of it.
 struct CourseEnd {
@@ -99,6 +133,7 @@ bool are_images(const MeasuredSeam& a, const MeasuredSeam& b, const MirrorPlane&
            std::abs(mirror.distance(a.middle)) > slack;
 }
 
+/// Units joined into faults.
 class Grouping {
 public:
     Grouping(const Inspection& inspection, std::vector<Unit> units)
@@ -108,8 +143,10 @@ public:
           has_image_(units_.size()) {}
 
     void join(const MirrorPlane& mirror) {
-        for (std::size_t j = 1; j < units_.size(); ++j)
+        for (std::size_t j = 1; j < units_.size(); ++j) {
+            check_stop();
             for (std::size_t i = 0; i < j; ++i) join_pair(i, j, mirror);
+        }
     }
 
     Triage items() {
@@ -195,18 +232,24 @@ std::string_view name_of(Mending mending) {
 }
 
 Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection& inspection,
-              const Job& job) {
+              std::optional<double> ground, const Job& job) {
     if (inspection.findings.empty()) return {};
-    std::vector<Unit> units = units_of(inspection);
+    const StopScope scope(job);
+    std::vector<Unit> units = UnitMaker(inspection).units();
     std::vector<std::uint32_t> stretches;
     for (const Unit& unit : units)
         if (unit.seam != no_index) stretches.push_back(unit.seam);
-    const StandingEyes eyes(model, tracer);
+    const StandingEyes eyes(model, tracer, ground);
     const std::vector<Sight> sights = eyes.sights(inspection, stretches, job);
-    for (Unit& unit : units)
-        unit.sight = unit.seam != no_index
-                         ? sights[unit.seam]
-                         : eyes.sight(inspection, inspection.findings[unit.findings.front()]);
+    parallel_for(units.size(), job, "sights", [&](std::size_t i) {
+        Unit& unit = units[i];
+        if (unit.seam != no_index) {
+            unit.sight = sights[unit.seam];
+            return;
+        }
+        for (const std::size_t finding : unit.findings)
+            unit.sight.add(eyes.sight(inspection, inspection.findings[finding]));
+    });
     Grouping grouping(inspection, std::move(units));
     grouping.join({1, (tracer.bounds().lower.y + tracer.bounds().upper.y) / 2});
     return grouping.items();

@@ -4,6 +4,7 @@
 #include "keiko/inspect/inspection.h"
 #include "keiko/intersect/traversal/tracer.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,9 +50,11 @@ constexpr double hidden_share = 0.01;
 /// Groups the findings of an inspection and orders the groups by what an eye sees of them in the
 /// standing views (docs/theory/triage.md). Findings of one seam are one item. So are stretches of
 /// the same mending that continue each other, and those that are images of each other at the middle
-/// plane of the body across y. Findings of lines belong to the seam that they cross. `tracer`: of
-/// the model. Throws Cancelled.
+/// plane of the body across y. Findings of one face that ask for the same mending are one item.
+/// Findings of lines belong to the nearest stretch with findings between the same faces. `tracer`:
+/// of the model. `ground`: z of the floor on which the viewers stand, mm; none: the lowest z of the
+/// body. Throws Cancelled.
 Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection& inspection,
-              const Job& job = {});
+              std::optional<double> ground, const Job& job = {});
 
 } // namespace keiko

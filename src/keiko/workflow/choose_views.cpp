@@ -6,11 +6,14 @@
 namespace keiko {
 namespace {
 
+Camera of_size(Camera camera, const Framing& framing) {
+    camera.width = framing.width, camera.height = framing.height;
+    return camera;
+}
+
 /// View named by the file's stem, like its pictures.
 NamedView view_of_file(const std::filesystem::path& path, const Framing& framing) {
-    Camera camera = read_view(path);
-    camera.width = framing.width, camera.height = framing.height;
-    return {path.stem().string(), camera};
+    return {path.stem().string(), of_size(read_view(path), framing)};
 }
 
 NamedView view_by_name(const Scene& scene, const std::string& name, const Framing& framing,
@@ -18,7 +21,7 @@ NamedView view_by_name(const Scene& scene, const std::string& name, const Framin
     if (name == "auto") return best_view(scene.tracer, scene.model, framing, job);
     if (name == "scene") {
         if (!scene.camera) throw FieldError("views", "the scene has no camera of its own");
-        return {name, *scene.camera};
+        return {name, of_size(*scene.camera, framing)};
     }
     if (is_view_file(name)) return view_of_file(name, framing);
     return {name, frame_view(name, scene.tracer.bounds(), framing)};
@@ -45,13 +48,18 @@ void require_view_names(std::span<const std::string> names) {
 
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
                                     int automatic, const Job& job) {
-    Framing framing{.width = scene.width, .height = scene.height};
+    return choose_views(scene, names, automatic, scene.width, scene.height, job);
+}
+
+std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
+                                    int automatic, int width, int height, const Job& job) {
+    Framing framing{.width = width, .height = height};
     if (scene.surroundings) framing.ground = scene.surroundings->ground;
     std::vector<NamedView> views;
     for (const std::string& name : names) views.push_back(view_by_name(scene, name, framing, job));
     require_different_names(views);
     if (!views.empty()) return views;
-    if (scene.camera) return {{"scene", *scene.camera}};
+    if (scene.camera) return {{"scene", of_size(*scene.camera, framing)}};
     if (scene.view) return {view_by_name(scene, *scene.view, framing, job)};
     return best_views(scene.tracer, scene.model, automatic, framing, job);
 }

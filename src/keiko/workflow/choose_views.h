@@ -17,6 +17,10 @@ namespace KEIKO_API keiko {
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
                                     int automatic, const Job& job = {});
 
+/// Views of pictures of another size than the scene's, in pixels.
+std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
+                                    int automatic, int width, int height, const Job& job = {});
+
 /// Throws Error, before the long work, for a name that choose_views would refuse for any scene, or
 /// a view file that it could not read.
 void require_view_names(std::span<const std::string> names);

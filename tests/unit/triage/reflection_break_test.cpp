@@ -60,7 +60,7 @@ double arc_minutes(double radians) {
 
 TEST(ReflectionBreak, OfAnAngleIsThatOfTracedRays) {
     constexpr double angle = 0.01; // degrees
-    for (const double radius : {HUGE_VAL, 20000.0, 500.0, 30.0})
+    for (const double radius : {HUGE_VAL, 20000.0, 500.0, 30.0, -80000.0, -400.0, -50.0})
         for (const double incidence : {0.0, 0.5, 1.2})
             for (const double distance : {800.0, 4000.0}) {
                 const Vec2 eye = eye_at(distance, incidence);
@@ -85,12 +85,19 @@ double traced_width(double radius, const Vec2& eye) {
             mirror.seen(mirror.place_reflecting(middle - narrow / 2)));
 }
 
+/// -1 for a hollow mirror from far behind its focus.
+double upright(double radius) {
+    return radius < 0 && radius > -1000 ? -1 : 1;
+}
+
 TEST(ReflectionBreak, OfCurvaturesIsThatOfTracedRays) {
-    for (const double a : {HUGE_VAL, 2000.0, 100.0})
-        for (const double b : {5000.0, 300.0})
+    for (const double a : {HUGE_VAL, 2000.0, 100.0, -20000.0, -300.0})
+        for (const double b : {5000.0, 300.0, -100.0})
             for (const double incidence : {0.0, 0.7}) {
                 const Vec2 eye = eye_at(2000, incidence);
-                const double traced = std::abs(traced_width(a, eye) - traced_width(b, eye));
+                // Behind the focus, at half the radius in the middle, the reflection turns over.
+                const double traced =
+                    std::abs(traced_width(a, eye) * upright(a) - traced_width(b, eye) * upright(b));
                 EXPECT_NEAR(break_of_curvatures(1 / a, 1 / b, {2000, std::cos(incidence)}), traced,
                             1e-3 * lamp_width)
                     << a << ' ' << b << ' ' << incidence;
@@ -101,6 +108,22 @@ TEST(ReflectionBreak, OfAPlaneIsTwiceTheAngle) {
     EXPECT_DOUBLE_EQ(break_of_angle(0.5, 0, {3000, 0.3}), 60);
     EXPECT_EQ(break_of_angle(0.5, 0, {3000, 0}), 0) << "grazing";
     EXPECT_EQ(break_of_curvatures(0.01, 0.01, {3000, 1}), 0);
+}
+
+TEST(ReflectionBreak, IsBoundedNearTheFocusOfAHollowPlace) {
+    for (const double radius : {-6000.0, -6000.1, -5999.9, -5800.0, -6300.0})
+        EXPECT_EQ(std::abs(image_size(1 / radius, {3000, 1})), largest_image) << radius;
+    EXPECT_GT(image_size(-1 / 6100.0, {3000, 1}), 0);
+    EXPECT_LT(image_size(-1 / 5900.0, {3000, 1}), 0);
+    EXPECT_LT(image_size(-1 / 7000.0, {3000, 1}), largest_image);
+}
+
+TEST(ReflectionBreak, OfAnInflectionIsTheSumOfBothWidths) {
+    const LineOfSight sight{3000, 1};
+    const double bulged = image_size(1 / 2000.0, sight), hollow = image_size(-1 / 2000.0, sight);
+    EXPECT_NEAR(bulged, 0.25, 1e-15);
+    EXPECT_NEAR(hollow, -0.5, 1e-15);
+    EXPECT_NEAR(break_of_curvatures(1 / 2000.0, -1 / 2000.0, sight), 0.75 * lamp_width, 1e-12);
 }
 
 TEST(ReflectionBreak, OfAGapIsItsOwnWidth) {

@@ -25,6 +25,20 @@ void bent_pair(ModelBuilder& builder, const Vec3& from, double length, double de
     }
 }
 
+/// Two sheets, 400 mm along x, tangent to each other and to the plane z = from.z, of other
+/// curvatures across, 1/mm; above 0: hollow from above.
+void curved_pair(ModelBuilder& builder, const Vec3& from, double before, double after) {
+    const double width = 100;
+    for (const auto& [side, curvature] : {std::pair(-1.0, before), {1.0, after}}) {
+        std::vector<Vec3> points;
+        for (const double x : {0.0, 400.0})
+            for (const double share : {0.0, 0.5, 1.0})
+                points.push_back(from + Vec3(x, side * width * share,
+                                             share == 1 ? curvature * width * width / 2 : 0));
+        builder.patch(1, 2, points);
+    }
+}
+
 /// The walls of a closed box.
 void closed_box(ModelBuilder& builder, const Vec3& low, const Vec3& size) {
     const Vec3 x(size.x, 0, 0), y(0, size.y, 0), z(0, 0, size.z);
@@ -40,7 +54,7 @@ struct Triaged {
     explicit Triaged(const ModelBuilder& builder) {
         const SurfaceModel model = builder.build();
         inspection = inspect(model);
-        triage = keiko::triage(model, Tracer(model), inspection);
+        triage = keiko::triage(model, Tracer(model), inspection, {});
     }
     double angle_of(const TriageItem& item) const {
         return inspection.seams[item.seams.front()].angle->value;
@@ -115,7 +129,7 @@ TEST(Triage, WeightsAreSolidAngles) {
     const Tracer tracer(model);
     const std::vector<std::uint32_t> first{0};
     const Sight sight = StandingEyes(model, tracer).sights(inspection, first, {})[0];
-    const Triage found = triage(model, tracer, inspection);
+    const Triage found = triage(model, tracer, inspection, {});
     ASSERT_EQ(found.items.size(), 1u);
     EXPECT_EQ(found.items[0].weight, sight.weight[sight.best_view()]);
     // From 3 to 6 m, 100 mm are seen in at most 60 x 57.3 x 100 / 3000 arc minutes.
@@ -132,6 +146,90 @@ TEST(Triage, CreasesCountByTheirGapAlone) {
     EXPECT_EQ(found.triage.items[0].mending, Mending::position);
     EXPECT_LT(found.triage.items[0].width, break_of_gap(0.05, {1500, 1}));
     EXPECT_GT(found.triage.items[0].width, break_of_gap(0.05, {8000, 1}));
+}
+
+/// The only fault of a pair of sheets of these radii in mm; above 0: hollow from above.
+TriageItem fault_of_radii(double before, double after) {
+    ModelBuilder builder;
+    curved_pair(builder, {0, 0, 0}, 1 / before, 1 / after);
+    const Triaged found(builder);
+    EXPECT_EQ(found.triage.items.size(), 1u);
+    return found.triage.items.empty() ? TriageItem() : found.triage.items[0];
+}
+
+TEST(Triage, ACurvatureThatChangesItsSignIsSeen) {
+    const TriageItem item = fault_of_radii(2000, -2000);
+    EXPECT_EQ(item.mending, Mending::curvature);
+    // In the view from above, 3 m away: 1 / (1 + 3) and 1 / (1 - 3).
+    EXPECT_GT(item.width, 0.7 * lamp_width);
+    EXPECT_GT(item.weight, 1000);
+}
+
+TEST(Triage, AHollowPlaceBreaksMoreThanABulgedOne) {
+    EXPECT_GT(fault_of_radii(2000, 4000).width, 2 * fault_of_radii(-2000, -4000).width);
+    EXPECT_NEAR(fault_of_radii(-4000, -2000).width, fault_of_radii(-2000, -4000).width, 1e-6);
+}
+
+TEST(Triage, FindingsOfAFaceCountByWhatTheyAskFor) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {300, 0, 0}, {0, 300, 0});
+    const SurfaceModel model = builder.build();
+    Inspection inspection = inspect(model);
+    const auto add = [&](const char* code, const char* unit, const Vec3& place) {
+        Check check;
+        check.code = code, check.unit = unit, check.faces = "face 1";
+        check.face = 0, check.worst.place = place;
+        inspection.findings.push_back(check);
+    };
+    Flaw dent;
+    dent.width = 60, dent.depth.value = 0.2, dent.depth.place = {150, 150, 0};
+    inspection.faces[0].flaws.push_back(dent);
+    add("G-CU-TI", "mm", {10, 10, 0}); // of the structure, where no eye sees anything of it
+    add("KEIKO-DENT", "mm", dent.depth.place);
+    const Triage found = triage(model, Tracer(model), inspection, {});
+    ASSERT_EQ(found.items.size(), 2u);
+    EXPECT_EQ(found.items[0].mending, Mending::curvature);
+    EXPECT_EQ(found.items[0].findings, std::vector<std::size_t>{1});
+    EXPECT_GT(found.items[0].weight, 100);
+    EXPECT_EQ(found.items[1].mending, Mending::layout);
+    EXPECT_EQ(found.items[1].weight, 0);
+}
+
+TEST(Triage, LinesBelongToTheStretchThatTheyCross) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 100, 0.5);
+    bent_pair(builder, {300, 0, 0}, 100, 0.4);
+    const SurfaceModel model = builder.build();
+    Inspection inspection = inspect(model);
+    ASSERT_EQ(inspection.seams.size(), 2u);
+    for (MeasuredSeam& seam : inspection.seams) seam.faces = "face 1 | face 2";
+    Check line;
+    line.code = "KEIKO-LINE-TURN", line.faces = "face 1 | face 2";
+    line.worst.value = 0.4, line.worst.place = {350, 0, 0};
+    inspection.findings.push_back(line);
+    const Triage found = triage(model, Tracer(model), inspection, {});
+    ASSERT_EQ(found.items.size(), 2u);
+    for (const TriageItem& item : found.items)
+        EXPECT_EQ(item.findings.size(), item.place.x < 200 ? 1u : 2u);
+}
+
+TEST(Triage, EyesStandOnTheGround) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 1000}, 400, 0.5);
+    const SurfaceModel model = builder.build();
+    const Inspection inspection = inspect(model);
+    const Tracer tracer(model);
+    const std::vector<std::uint32_t> first{0};
+    const Sight floating = StandingEyes(model, tracer).sights(inspection, first, {})[0];
+    const Sight on_ground = StandingEyes(model, tracer, 0.0).sights(inspection, first, {})[0];
+    // The surface lies 650 mm below the eyes rather than 1650: it is seen nearer, at a flatter
+    // angle.
+    for (std::size_t view = 0; view < 4; ++view)
+        EXPECT_GT(std::abs(on_ground.weight[view] - floating.weight[view]),
+                  0.01 * floating.weight[view])
+            << standing_views[view];
+    EXPECT_EQ(on_ground.weight.back(), floating.weight.back()) << "from above";
+    EXPECT_EQ(triage(model, tracer, inspection, 0.0).items.at(0).weight, on_ground.weight.back());
 }
 
 TEST(Triage, OfABodyWithoutFindingsIsEmpty) {

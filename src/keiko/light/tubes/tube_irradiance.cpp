@@ -31,7 +31,7 @@ LinePiece piece_of(const TubeView& view, const VisiblePart& part) {
 
 } // namespace
 
-double seed_solid_angle(const TubeView& view, const VisiblePart& part) {
+double nishita_solid_angle(const TubeView& view, const VisiblePart& part) {
     const LinePiece axis = above_horizon(piece_of(view, part));
     if (!(axis.begin < axis.end)) return 0;
     const auto corners = strip_corners(view, axis.begin, axis.end, view.radius);
@@ -90,7 +90,7 @@ int nodes_of(TubeModel model) {
 double solid_angle_of(const VisiblePart& part, const TubeView& view, TubeModel model) {
     switch (chosen(model, view)) {
         case TubeModel::nishita:
-            return seed_solid_angle(view, part);
+            return nishita_solid_angle(view, part);
         case TubeModel::rectangle:
             return rectangle_solid_angle(view, part);
         case TubeModel::line:
@@ -102,7 +102,8 @@ double solid_angle_of(const VisiblePart& part, const TubeView& view, TubeModel m
     }
 }
 
-bool has_caps(TubeModel model) {
+/// True for models of the round tube: they have caps, and lamps of a row hide each other.
+bool is_round(TubeModel model) {
     return model != TubeModel::nishita && model != TubeModel::rectangle && model != TubeModel::line;
 }
 
@@ -125,7 +126,7 @@ double cap_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3& norm
 double projected_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3& normal,
                              const IntervalSet& visible, TubeModel model) {
     if (below_horizon(lamp, point, normal)) return 0;
-    const double caps = has_caps(model) ? cap_solid_angle(lamp, point, normal, visible) : 0;
+    const double caps = is_round(model) ? cap_solid_angle(lamp, point, normal, visible) : 0;
     const auto view = view_of(lamp, point, normal);
     if (!view) return caps;
     return caps + sum_over_parts(*view, visible, [&](const VisiblePart& part) {
@@ -133,18 +134,10 @@ double projected_solid_angle(const TubeLamp& lamp, const Vec3& point, const Vec3
            });
 }
 
-namespace {
-
-bool sub_patches_hidden_out(TubeModel model) {
-    return model != TubeModel::nishita && model != TubeModel::rectangle && model != TubeModel::line;
-}
-
-} // namespace
-
 TubeRowIrradiance::TubeRowIrradiance(const CPlaneFrame& frame, const Vec3& point,
                                      const Vec3& normal, TubeModel model)
     : frame_(frame), point_(point), normal_(normal), at_(frame.point(point)), model_(model) {
-    if (frame.lamps < 2 || !sub_patches_hidden_out(model) || surely_apart()) return;
+    if (frame.lamps < 2 || !is_round(model) || surely_apart()) return;
     wedges_.reserve(static_cast<std::size_t>(frame.lamps));
     for (int i = 0; i < frame.lamps; ++i) wedges_.push_back(wedge_of(i));
     if (std::adjacent_find(wedges_.begin(), wedges_.end(), overlap) == wedges_.end())

@@ -15,7 +15,7 @@ namespace keiko {
 
 /// Facing rectangle by [NishitaTubes, eq. 1] with its indices corrected. As in the paper, the
 /// tangent plane clips the axis only.
-double seed_solid_angle(const TubeView& view, const VisiblePart& part);
+double nishita_solid_angle(const TubeView& view, const VisiblePart& part);
 
 /// The rectangle through the axis that faces the point, as wide as the lamp.
 double rectangle_solid_angle(const TubeView& view, const VisiblePart& part);

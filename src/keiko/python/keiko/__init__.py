@@ -11,7 +11,7 @@ import numpy as _np
 
 from ._keiko import (Error, Film, Placement, Scene, accept_baselines, check_json, compare_json, hit_dtype,
                      illuminance_rows, info_json, lines_json, open_scene, place, regress_json, render_film,
-                     report_files, version)
+                     report_files, version, write_report)
 
 __version__ = version()
 __all__ = ["Check", "Comparison", "Document", "Error", "Facts", "Film", "Lines", "Placement", "Regression",
@@ -58,8 +58,13 @@ class Check(Judged):
 
     @property
     def findings(self) -> list:
-        """What does not pass, the worst first."""
-        return self._values["findings"]
+        """What the verdict rests on: all that fails or is undecided, the worst first."""
+        return [finding for finding in self._values["findings"] if finding["severity"] == "judged"]
+
+    @property
+    def looks(self) -> list:
+        """Places worth a look, which no limit judges."""
+        return [finding for finding in self._values["findings"] if finding["severity"] == "look"]
 
     @property
     def seams(self) -> list:
@@ -72,23 +77,23 @@ class Check(Judged):
         return self._values["faces"]
 
     def __repr__(self) -> str:
-        return f"<{type(self).__name__}: {self.verdict}, {len(self.findings)} findings>"
+        return f"<{type(self).__name__}: {self.verdict}, {len(self.findings)} findings, {len(self.looks)} looks>"
 
     def _repr_html_(self) -> str:
         rows = "".join(
             f"<tr><td>{i}</td><td>{_html.escape(f['code'])}</td><td>{_html.escape(f['faces'])}</td>"
             f"<td style='text-align:left'>{_html.escape(f['message'])}</td></tr>"
-            for i, f in enumerate(self.findings[:20], 1))
-        return (f"<p><b>{self.verdict}</b>, {len(self.findings)} findings</p>"
+            for i, f in enumerate((self.findings + self.looks)[:20], 1))
+        return (f"<p><b>{self.verdict}</b>, {len(self.findings)} findings, {len(self.looks)} looks</p>"
                 f"<table><tr><th>#</th><th>code</th><th>faces</th><th>what</th></tr>{rows}</table>")
 
 
 class Report(Check):
     """The whole inspection of a body: the keys and values of report.json, with page and pictures."""
 
-    def __init__(self, files: dict):
+    def __init__(self, files: dict, base: str):
         super().__init__(files["report.json"].decode())
-        self._files = files
+        self._files, self._base = files, base
 
     @property
     def html(self) -> str:
@@ -96,14 +101,11 @@ class Report(Check):
         return self._files["report.html"].decode()
 
     def write(self, folder) -> None:
-        """Writes what `keiko inspect -o folder` writes."""
-        _os.makedirs(folder, exist_ok=True)
-        for name, content in self._files.items():
-            with open(_os.path.join(folder, name), "wb") as file:
-                file.write(content)
+        """Writes what `keiko inspect -o folder` writes, in place of earlier results there."""
+        write_report(folder, self._files, self._base)
 
     def __reduce__(self):
-        return type(self), (self._files,)
+        return type(self), (self._files, self._base)
 
     def _repr_html_(self) -> str:
         return (f'<iframe srcdoc="{_html.escape(self.html)}" width="100%" height="720" '
@@ -151,7 +153,7 @@ def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=()
             progress=None, threads: int = 0) -> Report:
     """Places lamps, renders views, measures and judges. `scene`: a Scene, or what opens one."""
     scene = _opened(scene, progress, threads)
-    return Report(report_files(scene, preset, join, list(views), rig, progress, threads))
+    return Report(report_files(scene, preset, join, list(views), rig, progress, threads), _os.getcwd())
 
 
 def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), join: float = 0.5, progress=None,
@@ -191,12 +193,13 @@ def illuminance(scene, points, normals, *, progress=None, threads: int = 0):
                      dtype=[(name, float) for name in names])
 
 
-def render(scene, view: str = "", *, rig=None, width: int = 960, height: int = 540, aovs=(),
+def render(scene, view: str = "", *, rig=None, width: int | None = None, height: int | None = None, aovs=(),
            progress=None, threads: int = 0) -> Film:
     """The picture of a scene: `numpy.asarray` of it is height x width x 3, cd/m2.
 
-    `view` is a named view, or empty for the scene's own. `rig` is a rig file; without one the lamps
-    are the scene's own, or placed for the view.
+    `view` is what `keiko render --view` takes: a name, "auto", "scene", or a view file; empty for the
+    scene's own, or else the one that shows the body best. `rig` is a rig file; without one the lamps
+    are the scene's own, or placed for the view. Without width and height: the scene's own size.
     """
     scene = _opened(scene, progress, threads)
     return render_film(scene, view, rig, width, height, list(aovs), progress, threads)
