@@ -1,5 +1,7 @@
 #include "keiko/geometry/bernstein/bernstein.h"
 
+#include "keiko/geometry/bernstein/de_casteljau.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,13 +30,8 @@ struct Stretch {
 
 std::pair<Stretch, Stretch> halves(const Stretch& whole) {
     const double middle = (whole.begin + whole.end) / 2;
-    Stretch left{whole.begin, middle, whole.c}, right{middle, whole.end, whole.c};
-    const std::size_t n = whole.c.size();
-    for (std::size_t level = 1; level < n; ++level)
-        for (std::size_t i = n - 1; i >= level; --i) left.c[i] = (left.c[i - 1] + left.c[i]) / 2;
-    for (std::size_t level = 1; level < n; ++level)
-        for (std::size_t i = 0; i + level < n; ++i) right.c[i] = (right.c[i] + right.c[i + 1]) / 2;
-    return {std::move(left), std::move(right)};
+    auto [left, right] = bernstein_parts(whole.c);
+    return {{whole.begin, middle, std::move(left)}, {middle, whole.end, std::move(right)}};
 }
 
 /// Adds the roots in a stretch. A root right at a cut is found from both sides, or, if the

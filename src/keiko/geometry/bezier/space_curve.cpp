@@ -1,5 +1,7 @@
 #include "keiko/geometry/bezier/space_curve.h"
 
+#include "keiko/geometry/bernstein/de_casteljau.h"
+
 namespace keiko {
 namespace {
 
@@ -14,7 +16,7 @@ LengthRange range_of(const CurvePoints& curve, int halvings) {
     constexpr double precision = 1e-6; // of the length: far finer than any limit of it
     const LengthRange whole{chord_length(curve), polygon_length(curve)};
     if (halvings == 0 || !(whole.most - whole.least > precision * whole.most)) return whole;
-    const auto [left, right] = bezier_halves(curve);
+    const auto [left, right] = bernstein_parts(curve);
     const LengthRange a = range_of(left, halvings - 1), b = range_of(right, halvings - 1);
     return {a.least + b.least, a.most + b.most};
 }
@@ -31,7 +33,7 @@ LengthRange curve_length(const CurvePoints& curve) {
 }
 
 Vec3 curve_middle(const CurvePoints& curve) {
-    return euclidean(bezier_halves(curve)[1].front());
+    return euclidean(bernstein_value(curve, 0.5));
 }
 
 } // namespace keiko

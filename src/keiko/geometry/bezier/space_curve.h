@@ -2,24 +2,9 @@
 
 #include "keiko/math/vec.h"
 
-#include <array>
 #include <vector>
 
 namespace keiko {
-
-/// Both halves of a Bezier curve of at least one control point (de Casteljau).
-template <class P>
-std::array<std::vector<P>, 2> bezier_halves(std::vector<P> points) {
-    const std::size_t degree = points.size() - 1;
-    std::array<std::vector<P>, 2> halves{points, points};
-    for (std::size_t level = 1; level <= degree; ++level) {
-        for (std::size_t i = 0; i + level <= degree; ++i)
-            points[i] = (points[i] + points[i + 1]) * 0.5;
-        halves[0][level] = points.front();
-        halves[1][degree - level] = points[degree - level];
-    }
-    return halves;
-}
 
 /// Length of a curve between two bounds that are proved.
 struct LengthRange {

@@ -1,6 +1,7 @@
 #include "keiko/geometry/trim/monotone_piece.h"
 
 #include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/geometry/bernstein/de_casteljau.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +18,6 @@ constexpr double rounding = 1e-14;
 
 Vec2 projected(const Vec3& p) {
     return Vec2(p.x, p.y) / p.z;
-}
-
-/// Left of the cut at t in `first`, right of it in `second`, sharing one control point.
-std::pair<std::vector<Vec3>, std::vector<Vec3>> cut(const std::vector<Vec3>& points, double t) {
-    std::vector<Vec3> left = points, right = points;
-    const std::size_t n = points.size();
-    for (std::size_t level = 1; level < n; ++level)
-        for (std::size_t i = 0; i + level < n; ++i) {
-            right[i] = right[i] * (1 - t) + right[i + 1] * t;
-            if (i == 0) left[level] = right[0];
-        }
-    return {std::move(left), std::move(right)};
 }
 
 double binomial(std::size_t n, std::size_t k) {
@@ -239,7 +228,7 @@ std::vector<MonotonePiece> monotone_pieces(const BezierCurveView& curve, std::ui
     for (const double t : cuts) {
         // Extrema of x and y that nearly coincide (a cusp) are one cut.
         if (!(t - begin > 1e-12)) continue;
-        auto [left, right] = cut(rest, (t - begin) / (1 - begin));
+        auto [left, right] = bernstein_parts(rest, (t - begin) / (1 - begin));
         pieces.emplace_back(std::move(left), index, begin, t);
         rest = std::move(right);
         begin = t;

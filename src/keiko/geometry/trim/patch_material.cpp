@@ -1,5 +1,6 @@
 #include "keiko/geometry/trim/patch_material.h"
 
+#include "keiko/geometry/bernstein/de_casteljau.h"
 #include "keiko/geometry/bezier/parameter_map.h"
 
 #include <algorithm>
@@ -86,13 +87,7 @@ CurveStretch::CurveStretch(std::vector<Vec3> points, double share)
       share_(share) {}
 
 std::array<CurveStretch, 2> CurveStretch::halves() const {
-    std::vector<Vec3> left = points_, right = points_;
-    const std::size_t n = points_.size();
-    for (std::size_t level = 1; level < n; ++level)
-        for (std::size_t i = 0; i + level < n; ++i) {
-            right[i] = (right[i] + right[i + 1]) * 0.5;
-            if (i == 0) left[level] = right[0];
-        }
+    auto [left, right] = bernstein_parts(points_);
     return {CurveStretch(std::move(left), share_ / 2), CurveStretch(std::move(right), share_ / 2)};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/bernstein/de_casteljau.h"
 #include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/geometry/bezier/space_curve.h"
 #include "keiko/math/vec.h"
@@ -86,11 +87,8 @@ std::vector<P> bezier_segment(const std::vector<P>& points, double a, double b) 
     std::vector<P> segment;
     for (std::size_t k = 0; k <= degree; ++k) {
         std::vector<P> work = points;
-        for (std::size_t level = 0; level < degree; ++level) {
-            const double t = level < degree - k ? a : b;
-            for (std::size_t i = 0; i + level < degree; ++i)
-                work[i] = work[i] * (1 - t) + work[i + 1] * t;
-        }
+        for (std::size_t level = 0; level < degree; ++level)
+            blend_neighbours(work, degree - level, level < degree - k ? a : b);
         segment.push_back(work.front());
     }
     return segment;

@@ -68,7 +68,7 @@ void extend_tightly(Box2& box, const std::vector<Vec3>& points, int depth = 0) {
         box.extend(hull);
         return;
     }
-    const auto halves = bezier_halves(points);
+    const auto halves = bernstein_parts(points);
     box.extend(affine(halves[0].back()));
     for (const auto& half : halves) extend_tightly(box, half, depth + 1);
 }

@@ -92,18 +92,6 @@ Vec3 point_on(const BoundaryPiece::Curve& curve, double t) {
            curve[3] * (10 * ss * tt * t) + curve[4] * (5 * s * tt * tt) + curve[5] * (tt * tt * t);
 }
 
-std::array<BoundaryPiece::Curve, 2> cut_at(const BoundaryPiece::Curve& curve, double t) {
-    std::array<BoundaryPiece::Curve, 2> parts{curve, curve};
-    auto& [low, high] = parts;
-    constexpr std::size_t last = BoundaryPiece::points - 1;
-    for (std::size_t level = 1; level <= last; ++level) {
-        for (std::size_t i = 0; i + level <= last; ++i)
-            high[i] = high[i] * (1 - t) + high[i + 1] * t;
-        low[level] = high[0];
-    }
-    return parts;
-}
-
 /// The ways from which a cone of normals is not seen edge-on are a convex cone themselves, so that
 /// the control points speak for the curve.
 bool BoundaryPiece::may_be_edge_on(const Viewpoint& viewpoint, const Curve& part) const {

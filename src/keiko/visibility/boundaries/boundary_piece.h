@@ -60,8 +60,6 @@ struct BoundaryPiece {
 
 /// Point of a curve of degree 5 at t.
 Vec3 point_on(const BoundaryPiece::Curve& curve, double t);
-/// Over [0, t] and [t, 1].
-std::array<BoundaryPiece::Curve, 2> cut_at(const BoundaryPiece::Curve& curve, double t);
 
 /// The borders of every placed face, trimmed or natural, and the knot lines along which the normal
 /// jumps. Left out: the sides of a closed face that join smoothly, and sides collapsed into a

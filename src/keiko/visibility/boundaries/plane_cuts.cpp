@@ -60,16 +60,6 @@ double single_zero(const PlaneDistances& c, double settled) {
     return t;
 }
 
-std::array<PlaneDistances, 2> halved(const PlaneDistances& c) {
-    std::array<PlaneDistances, 2> halves{c, c};
-    auto& [low, high] = halves;
-    for (std::size_t level = 1; level < c.size(); ++level) {
-        for (std::size_t i = 0; i + level < c.size(); ++i) high[i] = (high[i] + high[i + 1]) / 2;
-        low[level] = high[0];
-    }
-    return halves;
-}
-
 PlaneDistances slope_of(const PlaneDistances& c) {
     PlaneDistances slope{};
     for (std::size_t i = 0; i < degree; ++i) {

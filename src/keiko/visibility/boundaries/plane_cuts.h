@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/geometry/bernstein/de_casteljau.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
@@ -90,8 +91,6 @@ int sign_changes(const PlaneDistances& c);
 /// The zero of coefficients that change sign once. Newton's method, kept inside, runs until it
 /// moves by no more than `settled`; the step after that is about its square.
 double single_zero(const PlaneDistances& c, double settled);
-/// Coefficients over [0, 1/2] and [1/2, 1].
-std::array<PlaneDistances, 2> halved(const PlaneDistances& c);
 /// The derivative over 5, of the same degree.
 PlaneDistances slope_of(const PlaneDistances& c);
 /// The value at t.
@@ -112,7 +111,7 @@ void each_zero(const PlaneDistances& c, double begin, double end, double settled
             visit(PlaneCut{at(t), value_at(slope, t) > 0 ? 1 : -1});
         return;
     }
-    const std::array halves = halved(c);
+    const std::array halves = bernstein_parts(c);
     each_zero(halves[0], begin, at(0.5), settled, most_halvings - 1, visit);
     each_zero(halves[1], at(0.5), end, settled, most_halvings - 1, visit);
 }
@@ -133,7 +132,7 @@ void each_touch(const PlaneDistances& c, double begin, double end, double slack,
         return;
     }
     if (most_halvings == 0) return;
-    const std::array halves = halved(c);
+    const std::array halves = bernstein_parts(c);
     const double middle = (begin + end) / 2;
     each_touch(halves[0], begin, middle, slack, most_halvings - 1, visit);
     each_touch(halves[1], middle, end, slack, most_halvings - 1, visit);

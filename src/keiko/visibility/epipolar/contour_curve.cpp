@@ -1,4 +1,5 @@
 #include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/geometry/bernstein/de_casteljau.h"
 #include "keiko/intersect/hit/surface_interaction.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/epipolar/epipolar_curve.h"
@@ -205,10 +206,7 @@ private:
 } // namespace
 
 Vec2 ContourCurve::place_at(double t) const {
-    std::array<Vec2, points> c = places;
-    for (std::size_t level = 1; level < points; ++level)
-        for (std::size_t i = 0; i + level < points; ++i) c[i] = c[i] * (1 - t) + c[i + 1] * t;
-    return c[0];
+    return bernstein_value(places, t);
 }
 
 bool append_contour(const Silhouettes& silhouettes, const SubPatchKernels& kernels,

@@ -1,5 +1,7 @@
 #include "keiko/visibility/query/contour_extrema.h"
 
+#include "keiko/geometry/bernstein/de_casteljau.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -152,7 +154,7 @@ void ContourExtrema::follow(const BoundaryPiece& line, const Part& part, bool fo
         return add_run(clipped(line, part.curve, seen.run), part);
     }
     if (halvings == 0) return;
-    const auto [low, high] = cut_at(part.curve, turn_of(line, part.curve, seen));
+    const auto [low, high] = bernstein_parts(part.curve, turn_of(line, part.curve, seen));
     follow(line, {low, part.begins, false}, fold, halvings - 1);
     follow(line, {high, false, part.ends}, fold, halvings - 1);
 }

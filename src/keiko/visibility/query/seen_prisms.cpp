@@ -1,3 +1,4 @@
+#include "keiko/geometry/bernstein/de_casteljau.h"
 #include "keiko/intersect/hit/surface_interaction.h"
 #include "keiko/math/vec.h"
 #include "keiko/visibility/nets/affine_bounds.h"
@@ -140,7 +141,7 @@ bool may_cross(const BoundaryPiece& border, const BoundaryPiece::Curve& part,
         !border.may_be_edge_on(viewpoint, part))
         return false;
     if (most_halvings == 0) return true;
-    const std::array halves = cut_at(part, 0.5);
+    const std::array halves = bernstein_parts(part);
     return std::any_of(halves.begin(), halves.end(), [&](const BoundaryPiece::Curve& half) {
         return may_cross(border, half, viewpoint, volume, sides, most_halvings - 1);
     });
