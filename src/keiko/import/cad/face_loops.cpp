@@ -103,6 +103,10 @@ std::optional<double> tiny_size(const TopoDS_Edge& edge) {
     return size <= BRep_Tool::Tolerance(edge) ? std::optional(size) : std::nullopt;
 }
 
+/// mm from its curve on the surface at which an edge in space lies off the surface. OpenCASCADE
+/// itself projects the edges that it reads, without a word.
+constexpr double far_off = 0.1;
+
 bool bounds_material(const TopoDS_Edge& edge) {
     return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
 }
@@ -185,9 +189,11 @@ private:
             throw Error("", "", name + " has no p-curve and none could be projected");
         const auto built = std::find_if(built_.begin(), built_.end(),
                                         [&](const TopoDS_Edge& e) { return e.IsSame(edge); });
-        if (built != built_.end()) {
-            result_.log.add(RepairKind::p_curve_built, p_curve_error(edge, curve, first, last));
-            built_.erase(built); // a seam comes twice
+        const bool is_built = built != built_.end();
+        if (is_built) built_.erase(built); // a seam comes twice
+        if (is_built || BRep_Tool::Tolerance(edge) > far_off) {
+            const double off = p_curve_error(edge, curve, first, last);
+            if (is_built || off > far_off) result_.log.add(RepairKind::p_curve_built, off);
         }
         if (!(first < last)) throw Error("", "", name + " has an empty parameter range");
         return curve;
@@ -215,11 +221,15 @@ private:
         double first_3d = 0, last_3d = 0, worst = 0;
         const auto in_space = BRep_Tool::Curve(edge, first_3d, last_3d);
         if (in_space.IsNull()) return 0;
+        TopLoc_Location location;
+        BRep_Tool::Surface(face_, location);
+        const gp_Trsf to_surface = location.Transformation().Inverted();
         constexpr int places = 32;
         for (int i = 0; i <= places; ++i) {
             const double share = double(i) / places;
             const gp_Pnt2d at = curve->Value(first + (last - first) * share);
-            const gp_Pnt p = in_space->Value(first_3d + (last_3d - first_3d) * share);
+            const gp_Pnt p =
+                in_space->Value(first_3d + (last_3d - first_3d) * share).Transformed(to_surface);
             worst = std::max(worst,
                              (space_.point({at.X(), at.Y()}) - Vec3(p.X(), p.Y(), p.Z())).length());
         }
