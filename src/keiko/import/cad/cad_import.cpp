@@ -199,7 +199,7 @@ std::string no_faces(const CadDocument& document) {
         text += "; " + missing;
     else if (const std::size_t count = document.lost_faces.size(); count > 0)
         text += ": " + document.lost_faces.front().reason +
-                (count > 1 ? "; " + std::to_string(count - 1) + " more are missing" : "");
+                (count > 1 ? "; and " + std::to_string(count - 1) + " more" : "");
     return text;
 }
 

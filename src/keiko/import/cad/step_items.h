@@ -10,7 +10,7 @@
 
 namespace keiko::cad {
 
-/// What a walk from the shapes of a file downwards has met.
+/// The entities that a walk from the shapes of a file downwards has met.
 struct StepWalk {
     std::unordered_map<const Standard_Transient*, bool>
         holds; ///< each entity: whether it is a face or holds one, lost or not
