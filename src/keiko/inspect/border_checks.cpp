@@ -1,8 +1,10 @@
 #include "keiko/inspect/border_checks.h"
 
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/check_sentence.h"
 #include "keiko/inspect/flaws/narrow_bends.h"
 #include "keiko/inspect/openings/missing_caps.h"
+#include "keiko/inspect/openings/torn_edges.h"
 #include "keiko/inspect/overlaps/body_crossings.h"
 #include "keiko/inspect/seams/narrow_faces.h"
 
@@ -61,6 +63,16 @@ std::vector<Opening> all_openings(const ModelBorders& borders, const FreeEdges& 
     return openings;
 }
 
+/// G-SU-LG: the borders of an edge that faces share by the file are wider apart than the join
+/// distance. Without faces.
+Check check_of_torn_edge(const TornEdge& torn, double gap, double join) {
+    const MeasuredValue worst{torn.distance, 0, gap, torn.place, Verdict::fail};
+    Check check = judged_check("G-SU-LG", "mm", worst, {"the gap at a shared edge", " mm"});
+    check.message += "; the file joins these faces there, but their borders are more than " +
+                     short_number(join) + " mm apart for some " + short_number(torn.length) + " mm";
+    return check;
+}
+
 } // namespace
 
 std::vector<Check> checks_at_borders(const ModelBorders& borders,
@@ -80,6 +92,12 @@ std::vector<Check> checks_at_borders(const ModelBorders& borders,
         checks.add(bend.face, std::move(check));
     }
     const FreeEdges edges = free_edges(borders.curves, pieces, preset.gap, join, job);
+    for (const TornEdge& torn :
+         torn_edges(model, borders.curves, edges, join, preset.negligible, job)) {
+        Check check = check_of_torn_edge(torn, preset.gap, join);
+        check.faces = checks.names(torn.sides);
+        checks.add(torn.sides[0], std::move(check));
+    }
     const OpeningLimits small{join, preset.negligible, preset.gap};
     for (const Opening& opening : all_openings(borders, edges, pieces, small, job))
         checks.add(opening.sides[0],

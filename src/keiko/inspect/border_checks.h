@@ -8,9 +8,10 @@
 
 namespace keiko {
 
-/// Checks at borders of faces, of the placed faces. A strip that is a kink fails. Worth a look are
-/// narrow strips beside creases, openings between free edges, missing caps, free edges on other
-/// faces, and bodies that cross. `pieces`: those of the seams, MeasuredSeams::pieces; `join` in mm.
+/// Checks at borders of faces, of the placed faces. A strip that is a kink fails, and so does an
+/// edge that faces share while their borders are apart. Worth a look are narrow strips beside
+/// creases, openings between free edges, missing caps, free edges on other faces, and bodies that
+/// cross. `pieces`: those of the seams, MeasuredSeams::pieces; `join` in mm.
 std::vector<Check> checks_at_borders(const ModelBorders& borders,
                                      std::span<const MeasuredSeam> seams,
                                      std::span<const Seam> pieces, const CriteriaPreset& preset,

@@ -16,6 +16,7 @@
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
 #include <TopoDS_Compound.hxx>
+#include <TopoDS_Face.hxx>
 #include <TopoDS_Shell.hxx>
 #include <XCAFApp_Application.hxx>
 #include <XCAFDoc_DocumentTool.hxx>
@@ -321,6 +322,14 @@ TEST_P(CadLossesOfIges, AFaceWithoutOneOfItsLoops) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Each, CadLossesOfIges, testing::Values(0, 1));
+
+TEST(CadLostFaces, OneWithoutASurface) {
+    TopoDS_Face bare;
+    BRep_Builder builder;
+    builder.MakeFace(bare);
+    builder.Add(bare, TopExp_Explorer(box(), TopAbs_WIRE).Current());
+    expect(converted(bare), 0, 1, "it has no surface");
+}
 
 TEST(CadDuplicates, AShapeThatACompoundListsTwiceIsThereTwice) {
     TopoDS_Compound twice, shared;

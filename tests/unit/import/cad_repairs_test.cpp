@@ -164,6 +164,29 @@ TEST(CadRepairs, MissingPCurvesAreBuilt) {
     EXPECT_LT(built.size, 1e-7);
 }
 
+/// A square of 10 mm whose first edge lies 2 mm above its plane, in two places.
+TEST(CadRepairs, AnEdgeOffItsSurfaceIsToldAndItsCurveOnTheSurfaceCounts) {
+    FaceMaker maker(plane());
+    const gp_Pnt corners[] = {{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
+    TopoDS_Wire wire;
+    maker.builder().MakeWire(wire);
+    for (int i = 0; i < 4; ++i) {
+        const gp_Vec up(0, 0, i == 0 ? 2 : 0);
+        const TopoDS_Edge edge =
+            BRepBuilderAPI_MakeEdge(corners[i].Translated(up), corners[(i + 1) % 4].Translated(up));
+        if (i == 0) maker.builder().UpdateEdge(edge, 2.1);
+        maker.builder().Add(wire, edge);
+    }
+    maker.wire(wire);
+    gp_Trsf move;
+    move.SetTranslation(gp_Vec(30, 0, 50));
+    for (const TopLoc_Location& place : {TopLoc_Location(), TopLoc_Location(move)}) {
+        const Repair off =
+            expect_repaired(maker.face().Moved(place), 100, RepairKind::p_curve_built);
+        EXPECT_NEAR(off.size, 2, 1e-9);
+    }
+}
+
 TEST(CadRepairs, AHoleThatRunsLikeItsOutlineIsStillAHole) {
     const auto outline = ring({{0, 0}, {10, 0}, {10, 10}, {0, 10}});
     const auto hole = ring({{2, 2}, {5, 2}, {5, 5}, {2, 5}});

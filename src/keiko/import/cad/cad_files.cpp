@@ -3,6 +3,7 @@
 #include "keiko/files/model/cad_text.h"
 #include "keiko/import/cad/assembly.h"
 #include "keiko/import/cad/cad_document.h"
+#include "keiko/import/cad/iges_losses.h"
 #include "keiko/import/cad/shape_attributes.h"
 #include "keiko/import/cad/step_losses.h"
 
@@ -10,13 +11,7 @@
 #include <BRep_Builder.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESCAFControl_Reader.hxx>
-#include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
-#include <IGESGeom_BoundedSurface.hxx>
-#include <IGESGeom_TrimmedSurface.hxx>
-#include <IGESSolid_Face.hxx>
-#include <Interface_EntityIterator.hxx>
-#include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <STEPCAFControl_ExternFile.hxx>
 #include <STEPCAFControl_Reader.hxx>
@@ -24,7 +19,6 @@
 #include <StepShape_FaceSurface.hxx>
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
-#include <TopExp_Explorer.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
@@ -33,11 +27,11 @@
 #include <XSControl_WorkSession.hxx>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
-#include <iterator>
 #include <memory>
+#include <sstream>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace keiko::cad {
 
@@ -62,99 +56,16 @@ std::string file_unit(IGESCAFControl_Reader& reader) {
     return unit.ToCString();
 }
 
-/// Entities that become faces where no other surface refers to them [IGES5.3].
-bool is_surface(int type) {
-    constexpr int types[] = {108, 114, 118, 120, 122, 128, 140, 143,
-                             144, 190, 192, 194, 196, 198, 510};
-    return std::find(std::begin(types), std::end(types), type) != std::end(types);
-}
-
-/// Solids and shells, which are nothing without faces.
-bool must_hold_faces(int type) {
-    return type == 186 || type == 514;
-}
-
-/// Number of loops that a surface entity states for its trim.
-int number_of_loops(const Handle(IGESData_IGESEntity) & entity) {
-    if (const auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(entity); !trimmed.IsNull())
-        return trimmed->NbInnerContours() + (trimmed->HasOuterContour() ? 1 : 0);
-    if (const auto bounded = Handle(IGESGeom_BoundedSurface)::DownCast(entity); !bounded.IsNull())
-        return bounded->NbBoundaries();
-    if (const auto face = Handle(IGESSolid_Face)::DownCast(entity); !face.IsNull())
-        return face->NbLoops();
-    return 0;
-}
-
-int number_of_wires(const TopoDS_Shape& shape) {
-    int count = 0;
-    for (TopExp_Explorer wire(shape, TopAbs_WIRE); wire.More(); wire.Next()) ++count;
-    return count;
-}
-
-/// Finds what an IGES file has for a face, a trim loop or a body, but no shape was made of.
-class IgesLossReader {
-    using Entity = Handle(IGESData_IGESEntity);
-
-public:
-    IgesLossReader(const Handle(XSControl_WorkSession) & session, CadDocument& document)
-        : session_(session),
-          process_(session->TransferReader()->TransientProcess()),
-          document_(document) {}
-
-    /// Whether an entity is a face or holds one, lost or not.
-    bool look_into(const Entity& entity) {
-        if (entity.IsNull()) return false;
-        if (is_surface(entity->TypeNumber())) {
-            if (seen_.insert(entity.get()).second) look_at_surface(entity);
-            return true;
-        }
-        if (!seen_.insert(entity.get()).second) return false;
-        bool holds = false;
-        for (Interface_EntityIterator part = session_->Graph().Shareds(entity); part.More();
-             part.Next())
-            if (look_into(Entity::DownCast(part.Value()))) holds = true;
-        if (!holds && must_hold_faces(entity->TypeNumber()) && shape_of(entity).IsNull())
-            lose(entity);
-        return holds;
-    }
-
-private:
-    TopoDS_Shape shape_of(const Entity& entity) const {
-        return TransferBRep::ShapeResult(process_, entity);
-    }
-
-    void look_at_surface(const Entity& entity) {
-        const TopoDS_Shape shape = shape_of(entity);
-        if (shape.IsNull()) lose(entity);
-        const int stated = number_of_loops(entity), found = number_of_wires(shape);
-        if (found >= stated) return;
-        const std::string lost = label(entity) + " states " + std::to_string(stated) +
-                                 " trim loops, of which " + std::to_string(found) + " were read";
-        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-            document_.lost_trims.emplace(face.Current().TShape().get(), lost);
-    }
-
-    /// "entity D12 of type 144"
-    std::string label(const Entity& entity) const {
-        return std::string("entity ") + session_->Model()->StringLabel(entity)->ToCString() +
-               " of type " + std::to_string(entity->TypeNumber());
-    }
-
-    void lose(const Entity& entity) {
-        const std::string name = entity->HasShortLabel() ? entity->ShortLabel()->ToCString() : "";
-        document_.lost_faces.push_back({name, label(entity) + " gave no face"});
-    }
-
-    Handle(XSControl_WorkSession) session_;
-    Handle(Transfer_TransientProcess) process_;
-    CadDocument& document_;
-    std::unordered_set<const Standard_Transient*> seen_;
-};
-
-void note_iges_losses(IGESCAFControl_Reader& reader, CadDocument& document) {
-    IgesLossReader losses(reader.WS(), document);
-    for (int i = 1; i <= reader.NbRootsForTransfer(); ++i)
-        losses.look_into(Handle(IGESData_IGESEntity)::DownCast(reader.RootForTransfer(i)));
+/// Takes the instances from the file's model space to the world. The scale is the length in model
+/// space over that in the world [IGES5.3, 2.2.4.3.13]; OpenCASCADE passes over it.
+void leave_model_space(IGESCAFControl_Reader& reader, CadDocument& document) {
+    const double scale = reader.IGESModel()->GlobalSection().Scale();
+    if (!std::isfinite(scale) || !(scale > 0) || scale == 1) return;
+    for (CadInstance& instance : document.instances)
+        instance.transform = Affine::scale(1 / scale) * instance.transform;
+    std::ostringstream text;
+    text << "its model space has a scale of " << scale << ": lengths are divided by it";
+    document.diagnostics.push_back({Severity::warning, "", text.str()});
 }
 
 } // namespace
@@ -170,9 +81,10 @@ CadDocument read_iges_file(const std::filesystem::path& path) {
     if (!reader.Transfer(source)) throw Error(path.string(), "", "the IGES file holds no shape");
     CadDocument document;
     document.unit = file_unit(reader);
-    note_iges_losses(reader, document);
     MappedItems none;
     read_assembly(source, {}, none, document);
+    leave_model_space(reader, document);
+    note_iges_losses(reader, document);
     const auto remarks = reader_remarks(reader.WS(), document.diagnostics);
     for (CadPart& part : document.parts) part.remarks_on = remarks;
     return document;

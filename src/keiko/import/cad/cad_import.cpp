@@ -192,6 +192,17 @@ std::string without_files(const CadDocument& document) {
     return text + (more > 0 ? " and " + std::to_string(more) + " more" : "");
 }
 
+/// "no faces in the file", and why: what the reader passed over, by the first of it.
+std::string no_faces(const CadDocument& document) {
+    std::string text = "no faces in the file";
+    if (const std::string missing = without_files(document); !missing.empty())
+        text += "; " + missing;
+    else if (const std::size_t count = document.lost_faces.size(); count > 0)
+        text += ": " + document.lost_faces.front().reason +
+                (count > 1 ? "; and " + std::to_string(count - 1) + " more" : "");
+    return text;
+}
+
 } // namespace
 
 CadDocument read_document(const std::filesystem::path& path, ModelFormat format) {
@@ -247,11 +258,8 @@ SurfaceModel import_cad_file(const std::filesystem::path& path, ModelFormat form
     require_numbers(read_file(path), format, path.string());
     const CadDocument document = read_document(path, format);
     SurfaceModel model = convert_document(document, job);
-    if (model.faces.empty() && model.lost_faces.size() == document.lost_faces.size()) {
-        const std::string missing = without_files(document);
-        throw Error(path.string(), "",
-                    "no faces in the file" + (missing.empty() ? "" : "; " + missing));
-    }
+    if (model.faces.empty() && model.lost_faces.size() == document.lost_faces.size())
+        throw Error(path.string(), "", no_faces(document));
     if (model.parts.size() == 1 && model.parts[0].name.empty())
         model.parts[0].name = path.stem().string();
     model.source = path.string();

@@ -28,10 +28,9 @@ namespace keiko::cad {
 
 namespace {
 
-bool is_plane(const TopoDS_Face& face) {
+opencascade::handle<Geom_Surface> surface_of(const TopoDS_Face& face) {
     TopLoc_Location location;
-    const opencascade::handle<Geom_Surface> surface = BRep_Tool::Surface(face, location);
-    return !surface.IsNull() && untrimmed(surface)->IsKind(STANDARD_TYPE(Geom_Plane));
+    return BRep_Tool::Surface(face, location);
 }
 
 bool has_p_curve(const TopoDS_Edge& edge, const TopoDS_Face& face) {
@@ -47,7 +46,9 @@ bool used_twice(const TopoDS_Edge& edge, const TopoDS_Face& face) {
 
 std::vector<TopoDS_Edge> complete_p_curves(const TopoDS_Face& face) {
     std::vector<TopoDS_Edge> built;
-    const bool plane = is_plane(face);
+    const opencascade::handle<Geom_Surface> surface = surface_of(face);
+    if (surface.IsNull()) return built;
+    const bool plane = untrimmed(surface)->IsKind(STANDARD_TYPE(Geom_Plane));
     for (TopExp_Explorer e(face, TopAbs_EDGE); e.More(); e.Next()) {
         const TopoDS_Edge edge = TopoDS::Edge(e.Current());
         if (plane) {
@@ -174,8 +175,7 @@ ConvertedFace convert_face(const TopoDS_Face& face, EdgeTable& edges,
 }
 
 std::string surface_kind(const TopoDS_Face& face) {
-    TopLoc_Location location;
-    const auto& surface = BRep_Tool::Surface(face, location);
+    const opencascade::handle<Geom_Surface> surface = surface_of(face);
     return surface.IsNull() ? "none" : surface_kind(surface);
 }
 
@@ -246,7 +246,7 @@ void convert(FaceResult& face, const CadDocument& document, const std::vector<To
     } catch (...) {
         face.loss = current_failure();
     }
-    face.fault = fault_of(face.shape, known_loops(face));
+    if (!surface_of(face.shape).IsNull()) face.fault = fault_of(face.shape, known_loops(face));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/import/cad/curve_spans.h"
+#include "keiko/import/cad/edge_distance.h"
 #include "keiko/import/cad/face_conversion.h"
 #include "keiko/import/cad/surface_patches.h"
 #include "keiko/import/cad/trim_chains.h"
@@ -103,6 +104,10 @@ std::optional<double> tiny_size(const TopoDS_Edge& edge) {
     return size <= BRep_Tool::Tolerance(edge) ? std::optional(size) : std::nullopt;
 }
 
+/// mm from its curve on the surface at which an edge in space lies off the surface. OpenCASCADE
+/// itself projects the edges that it reads, without a word.
+constexpr double far_off = 0.1;
+
 bool bounds_material(const TopoDS_Edge& edge) {
     return edge.Orientation() == TopAbs_FORWARD || edge.Orientation() == TopAbs_REVERSED;
 }
@@ -185,12 +190,20 @@ private:
             throw Error("", "", name + " has no p-curve and none could be projected");
         const auto built = std::find_if(built_.begin(), built_.end(),
                                         [&](const TopoDS_Edge& e) { return e.IsSame(edge); });
-        if (built != built_.end()) {
-            result_.log.add(RepairKind::p_curve_built, p_curve_error(edge, curve, first, last));
-            built_.erase(built); // a seam comes twice
-        }
+        const bool is_built = built != built_.end();
+        if (is_built) built_.erase(built); // a seam comes twice
         if (!(first < last)) throw Error("", "", name + " has an empty parameter range");
+        log_distance(edge, {curve, first, last}, is_built);
         return curve;
+    }
+
+    void log_distance(const TopoDS_Edge& edge, const PCurve& on_face, bool is_built) {
+        if (!is_built && BRep_Tool::Tolerance(edge) <= far_off) return;
+        const double along = distance_along_edge(edge, face_, on_face);
+        if (is_built) return result_.log.add(RepairKind::p_curve_built, along);
+        if (along <= far_off) return;
+        const double off = distance_from_edge(edge, face_, on_face);
+        if (off > far_off) result_.log.add(RepairKind::p_curve_built, off);
     }
 
     void set_scale(const std::vector<std::vector<Chain>>& wires) {
@@ -207,23 +220,6 @@ private:
         const Vec2 from(at.X(), at.Y());
         return std::max(space_.distance(from, from + Vec2(parameters, 0)),
                         space_.distance(from, from + Vec2(0, parameters)));
-    }
-
-    /// Largest distance in mm of a p-curve's image from the edge's curve in space.
-    double p_curve_error(const TopoDS_Edge& edge, const CurveHandle& curve, double first,
-                         double last) const {
-        double first_3d = 0, last_3d = 0, worst = 0;
-        const auto in_space = BRep_Tool::Curve(edge, first_3d, last_3d);
-        if (in_space.IsNull()) return 0;
-        constexpr int places = 32;
-        for (int i = 0; i <= places; ++i) {
-            const double share = double(i) / places;
-            const gp_Pnt2d at = curve->Value(first + (last - first) * share);
-            const gp_Pnt p = in_space->Value(first_3d + (last_3d - first_3d) * share);
-            worst = std::max(worst,
-                             (space_.point({at.X(), at.Y()}) - Vec3(p.X(), p.Y(), p.Z())).length());
-        }
-        return worst;
     }
 
     TopoDS_Face face_;

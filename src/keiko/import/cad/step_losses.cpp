@@ -1,28 +1,27 @@
 #include "keiko/import/cad/step_losses.h"
 
+#include "keiko/import/cad/step_items.h"
+
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionRelationship.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_UndefinedEntity.hxx>
+#include <StepGeom_Surface.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_ProductDefinitionShape.hxx>
 #include <StepRepr_Representation.hxx>
 #include <StepRepr_RepresentationRelationshipWithTransformation.hxx>
 #include <StepRepr_ShapeRepresentationRelationship.hxx>
-#include <StepShape_ConnectedFaceSet.hxx>
 #include <StepShape_ContextDependentShapeRepresentation.hxx>
 #include <StepShape_EdgeCurve.hxx>
 #include <StepShape_EdgeLoop.hxx>
-#include <StepShape_FaceBasedSurfaceModel.hxx>
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_OrientedEdge.hxx>
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
-#include <StepShape_ShellBasedSurfaceModel.hxx>
-#include <StepShape_SolidModel.hxx>
 #include <StepShape_VertexLoop.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
@@ -32,7 +31,6 @@
 #include <XSControl_TransferReader.hxx>
 
 #include <set>
-#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -40,27 +38,16 @@ namespace keiko::cad {
 
 namespace {
 
-using Entity = opencascade::handle<Standard_Transient>;
+using Entity = StepEntity;
 using FaceEntity = opencascade::handle<StepShape_FaceSurface>;
-
-template <class T>
-bool is_a(const Entity& entity) {
-    return !entity.IsNull() && entity->IsKind(STANDARD_TYPE(T));
-}
-
-/// Entities that are nothing without faces.
-bool must_hold_faces(const Entity& entity) {
-    return is_a<StepShape_ConnectedFaceSet>(entity) || is_a<StepShape_SolidModel>(entity) ||
-           is_a<StepShape_ShellBasedSurfaceModel>(entity) ||
-           is_a<StepShape_FaceBasedSurfaceModel>(entity);
-}
 
 /// Entities by which a file says that something is a shape. Presentation and features of a shape
 /// refer to faces, too, but make no material of them.
 bool states_shape(const Entity& entity) {
     return is_a<StepShape_ShapeRepresentation>(entity) ||
            is_a<StepShape_ShapeDefinitionRepresentation>(entity) ||
-           is_a<StepRepr_ShapeRepresentationRelationship>(entity);
+           is_a<StepRepr_ShapeRepresentationRelationship>(entity) ||
+           is_unknown_shape_representation(entity);
 }
 
 class StepLossReader {
@@ -71,7 +58,8 @@ class StepLossReader {
 public:
     StepLossReader(const opencascade::handle<XSControl_WorkSession>& session,
                    const EntityLines& lines, CadDocument& document)
-        : graph_(session->Graph()),
+        : session_(session),
+          graph_(session->Graph()),
           process_(session->TransferReader()->TransientProcess()),
           model_(opencascade::handle<StepData_StepModel>::DownCast(session->Model())),
           lines_(lines),
@@ -91,6 +79,8 @@ public:
             if (const auto placement = Placement::DownCast(entity); !placement.IsNull())
                 take(placement);
         }
+        for (const Entity& item : unread_items(session_, walk_))
+            lose(item, "of kind " + kind_of(item, model_) + " gave no face");
         remark_unused();
     }
 
@@ -107,6 +97,7 @@ private:
     }
 
     void lose(const Entity& entity, const std::string& why) {
+        walk_.lost.insert(entity.get());
         const auto face = FaceEntity::DownCast(entity);
         const bool named = !face.IsNull() && !face->Name().IsNull();
         document_.lost_faces.push_back(
@@ -117,17 +108,20 @@ private:
     /// has to hold faces but neither holds nor became one is lost.
     bool look_into(const Entity& entity) {
         const auto [known, is_new] =
-            holds_.try_emplace(entity.get(), is_a<StepShape_FaceSurface>(entity));
+            walk_.holds.try_emplace(entity.get(), is_a<StepShape_FaceSurface>(entity));
         if (!is_new || known->second) return known->second;
         bool holds = false;
         for (Interface_EntityIterator part = graph_.Shareds(entity); part.More(); part.Next())
             if (look_into(part.Value())) holds = true;
-        if (!holds && must_hold_faces(entity) &&
-            !TopExp_Explorer(shape_of(entity), TopAbs_FACE).More()) {
-            lose(entity, "holds no face");
+        if (!holds && must_hold_faces(entity) && !gave_face(entity)) {
+            lose(entity, "of kind " + kind_of(entity, model_) + " holds no face");
             holds = true;
         }
-        return holds_[entity.get()] = holds;
+        return walk_.holds[entity.get()] = holds;
+    }
+
+    bool gave_face(const Entity& entity) const {
+        return TopExp_Explorer(shape_of(entity), TopAbs_FACE).More();
     }
 
     bool is_present(const FaceEntity& face) const {
@@ -142,12 +136,23 @@ private:
             if (std::string lost = lost_bound(face); !lost.empty())
                 for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
                     document_.lost_trims.emplace(e.Current().TShape().get(), lost);
-        } else if (holds_.count(face.get()) > 0) {
-            lose(face, shape.IsNull() ? "gave no face" : "is in no part that is placed");
-            lost_.insert(face.get());
+        } else if (walk_.holds.count(face.get()) > 0) {
+            lose(face, shape.IsNull() ? "gave no face" + on_surface(face)
+                                      : "is in no part that is placed");
         } else if (shape.IsNull() && ++unused_ <= 10) {
             unused_labels_ += std::string(" ") + model_->StringLabel(face)->ToCString();
         }
+    }
+
+    /// "; its surface is #12 of kind PLANE", or empty.
+    std::string on_surface(const FaceEntity& face) const {
+        Entity surface = face->FaceGeometry();
+        for (Interface_EntityIterator part = graph_.Shareds(face); surface.IsNull() && part.More();
+             part.Next())
+            if (is_a<StepData_UndefinedEntity>(part.Value())) surface = part.Value();
+        if (surface.IsNull()) return "";
+        return std::string("; its surface is ") + model_->StringLabel(surface)->ToCString() +
+               " of kind " + kind_of(surface, model_);
     }
 
     /// Which bound of a face was not translated; empty if all were.
@@ -253,7 +258,7 @@ private:
                     std::set<const Standard_Transient*>& seen) {
         if (!seen.insert(entity.get()).second) return;
         if (is_a<StepShape_FaceSurface>(entity)) {
-            if (lost_.insert(entity.get()).second) lose(entity, why);
+            if (walk_.lost.count(entity.get()) == 0) lose(entity, why);
             return;
         }
         for (Interface_EntityIterator part = graph_.Shareds(entity); part.More(); part.Next())
@@ -269,14 +274,14 @@ private:
                      unused_labels_});
     }
 
+    opencascade::handle<XSControl_WorkSession> session_;
     const Interface_Graph& graph_;
     opencascade::handle<Transfer_TransientProcess> process_;
     opencascade::handle<StepData_StepModel> model_;
     const EntityLines& lines_;
     CadDocument& document_;
-    std::unordered_set<const TopoDS_TShape*> present_;          ///< faces of the parts
-    std::unordered_map<const Standard_Transient*, bool> holds_; ///< look_into() of each
-    std::unordered_set<const Standard_Transient*> lost_;        ///< face entities
+    std::unordered_set<const TopoDS_TShape*> present_; ///< faces of the parts
+    StepWalk walk_;
     int unused_ = 0;
     std::string unused_labels_;
 };
