@@ -33,7 +33,8 @@ constexpr std::array criteria{
               "Angle between the normals about a place of a face at which they have no limit."},
     Criterion{
         "KEIKO-OPENING", "", "opening",
-        "Width of a notch, slit or small hole between free edges of faces that meet or nearly do."},
+        "Width of a notch, slit or small hole between free edges of faces that meet or nearly do, "
+        "or of a groove between two of their creases."},
     Criterion{"KEIKO-OVERLAP", "partly_overlapping_faces", "overlap",
               "Length of a free edge that lies on the inside of another face, the faces on each "
               "other."},

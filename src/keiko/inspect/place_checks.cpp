@@ -88,8 +88,10 @@ Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
                        const std::string& faces) {
     MeasuredValue worst{opening.width, opening.width_bound, preset.gap, opening.place};
     worst.verdict = judge(worst.value, worst.bound, worst.limit);
-    Check check =
-        judged_check("KEIKO-OPENING", "mm", worst, {"the opening between free edges", " mm"});
+    Check check = judged_check(
+        "KEIKO-OPENING", "mm", worst,
+        {opening.is_groove ? "the groove between creases" : "the opening between free edges",
+         " mm"});
     check.message += opening.goes_on ? ", more than " : ", some ";
     check.message += short_number(opening.length) + " mm long";
     check.severity = Check::Severity::look;

@@ -81,7 +81,8 @@ SurfaceModel sheet(const Section& section, double degrees, bool along_u, double 
     return builder.build();
 }
 
-void expect_bend(const SurfaceModel& model, double degrees, double accuracy) {
+/// `near` mm: from the middle of the bend to the side at which its angle is stated.
+void expect_bend(const SurfaceModel& model, double degrees, double accuracy, double near = 0.051) {
     const auto lines = measure_knot_lines(model, {});
     ASSERT_EQ(lines.size(), 1u) << degrees;
     EXPECT_TRUE(lines[0].internal);
@@ -89,7 +90,7 @@ void expect_bend(const SurfaceModel& model, double degrees, double accuracy) {
     EXPECT_NEAR(lines[0].angle->value, degrees, accuracy);
     EXPECT_NEAR(lines[0].length, width, 1e-6);
     EXPECT_EQ(lines[0].gap.value, 0);
-    EXPECT_NEAR(lines[0].angle->place.x, 0, 0.051);
+    EXPECT_NEAR(lines[0].angle->place.x, 0, near);
     const bool fails = degrees > CriteriaPreset().angle && degrees < CriteriaPreset().feature_angle;
     EXPECT_EQ(lines[0].verdict, fails || degrees > 179 ? Verdict::fail : Verdict::pass);
 }
@@ -116,6 +117,38 @@ TEST(BendsInside, AreFoundWhereControlPointsNearlyCoincide) {
             expect_bend(sheet(coincident(3, apart), degrees, true), degrees, 0.05 * degrees);
     // A seventh of this bend is outside of the window, or as even as beside it.
     expect_bend(sheet(coincident(3, 1e-2), 3, true), 3, 0.15 * 3);
+}
+
+/// A section with as many knots as its degree close together about x = 0. `spans` mm: the lengths
+/// between them.
+Section with_close_knots(int degree, const std::vector<double>& spans) {
+    Section section{degree, std::vector<double>(static_cast<std::size_t>(degree) + 1, 0), {}};
+    const double speed = 50; // mm a unit
+    double whole = 0, knot = 1;
+    for (const double span : spans) whole += span;
+    section.knots.push_back(knot -= whole / 2 / speed);
+    for (const double span : spans) section.knots.push_back(knot += span / speed);
+    section.knots.insert(section.knots.end(), static_cast<std::size_t>(degree) + 1, 2);
+    for (int i = -degree; i <= degree; ++i) section.places.push_back(50.0 * i / degree);
+    return section;
+}
+
+TEST(BendsInside, AreFoundWhereKnotsLieCloseTogether) {
+    const std::vector<std::vector<double>> spans{
+        {0.04, 0.04},  {0.0475, 0.0475},   {0.05, 0.049},           {0.07, 0.02},
+        {0.01, 0.085}, {0.03, 0.03, 0.03}, {0.02, 0.02, 0.03, 0.02}};
+    for (const std::vector<double>& of : spans)
+        for (const double degrees : {0.15, 1.0, 4.9, 30.0})
+            for (const bool along_u : {true, false}) {
+                const auto degree = static_cast<int>(of.size()) + 1;
+                SCOPED_TRACE(testing::Message() << of.front() << ' ' << degree);
+                expect_bend(sheet(with_close_knots(degree, of), degrees, along_u), degrees,
+                            0.02 * degrees, 0.07);
+                EXPECT_TRUE(measure_knot_lines(sheet(with_close_knots(degree, of), 0, along_u), {})
+                                .empty());
+            }
+    // Bends wider than the window are judged by their curvature.
+    EXPECT_TRUE(measure_knot_lines(sheet(with_close_knots(3, {0.2, 0.2}), 3, true), {}).empty());
 }
 
 TEST(BendsInside, AreFoundOfRationalPatches) {

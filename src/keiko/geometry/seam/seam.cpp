@@ -33,6 +33,9 @@ private:
     std::vector<SeamCandidate> candidates(const BoxTree& tree, double join,
                                           const Wanted& wanted) const;
     std::vector<bool> covered_borders(const std::vector<SeamCandidate>& candidates) const;
+    std::vector<std::vector<std::uint32_t>> partners_of(
+        const std::vector<SeamCandidate>& candidates) const;
+    std::vector<SeamCandidate> search(const BoxTree& tree) const;
     void list_offers();
     std::vector<Seam> choose() const;
     std::vector<Stretch> undominated(const SeamCandidate& candidate) const;
@@ -121,20 +124,46 @@ std::vector<bool> SeamPairing::covered_borders(const std::vector<SeamCandidate>&
     return covered;
 }
 
+/// The partners of each border, by number, ascending.
+std::vector<std::vector<std::uint32_t>> SeamPairing::partners_of(
+    const std::vector<SeamCandidate>& candidates) const {
+    std::vector<std::vector<std::uint32_t>> partners(borders_.size());
+    for (const SeamCandidate& c : candidates)
+        partners[c.a].push_back(c.b), partners[c.b].push_back(c.a);
+    for (auto& of_border : partners) std::sort(of_border.begin(), of_border.end());
+    return partners;
+}
+
+/// True if two ascending ranges share a number.
+bool share_one(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b) {
+    return std::any_of(a.begin(), a.end(),
+                       [&](std::uint32_t x) { return std::binary_search(b.begin(), b.end(), x); });
+}
+
 /// Searches near by first, where a sewn model finds everything. Only borders that are still open
-/// are searched as far as the join distance.
+/// are searched as far as the join distance. Two that are covered by one border between them, as
+/// that of a rib, may be twice as far apart as either is from it.
+std::vector<SeamCandidate> SeamPairing::search(const BoxTree& tree) const {
+    constexpr double close_by = 0.02;
+    std::vector<SeamCandidate> found =
+        candidates(tree, close_by * join_, [](std::uint32_t, std::uint32_t) { return true; });
+    const std::vector<bool> covered = covered_borders(found);
+    const auto partners = partners_of(found);
+    const auto open = [&](std::uint32_t a, std::uint32_t b) { return !covered[a] || !covered[b]; };
+    const auto flank = [&](std::uint32_t a, std::uint32_t b) {
+        return !open(a, b) && share_one(partners[a], partners[b]);
+    };
+    std::erase_if(found, [&](const SeamCandidate& c) { return open(c.a, c.b) || flank(c.a, c.b); });
+    for (auto& more :
+         {candidates(tree, join_, open), candidates(tree, 2 * close_by * join_, flank)})
+        found.insert(found.end(), more.begin(), more.end());
+    return found;
+}
+
 void SeamPairing::find_candidates() {
     std::vector<Box3> boxes;
     for (const Border& border : borders_) boxes.push_back(border.polyline.box());
-    const BoxTree tree(std::move(boxes));
-    constexpr double close_by = 0.02;
-    candidates_ =
-        candidates(tree, close_by * join_, [](std::uint32_t, std::uint32_t) { return true; });
-    const std::vector<bool> covered = covered_borders(candidates_);
-    const auto open = [&](std::uint32_t a, std::uint32_t b) { return !covered[a] || !covered[b]; };
-    std::erase_if(candidates_, [&](const SeamCandidate& c) { return open(c.a, c.b); });
-    std::vector<SeamCandidate> wide = candidates(tree, join_, open);
-    std::move(wide.begin(), wide.end(), std::back_inserter(candidates_));
+    candidates_ = search(BoxTree(std::move(boxes)));
     for (SeamCandidate& candidate : candidates_) {
         candidate.is_narrow = is_narrow_face(candidate);
         const SeamPiece whole = piece(candidate, candidate.stretch);
@@ -191,7 +220,9 @@ bool SeamPairing::dominated(const SeamCandidate& candidate, const FacingPoints& 
                 least = std::min(least, cost_at(offer, x));
         return least;
     };
-    const double bar = 0.5 * cost(p);
+    // A border just in the middle between two is not clearly nearer to either.
+    constexpr double clearly = 0.5 * (1 - 1e-6);
+    const double bar = clearly * cost(p);
     return best(offers_[candidate.a], p.t) < bar && best(offers_[candidate.b], p.s) < bar;
 }
 

@@ -22,8 +22,8 @@ struct Seam {
 /// Finds the seams of a model geometrically, including T-junctions, split borders and faces of
 /// different files; a file's shared edges are only a hint. A stretch beside two borders belongs to
 /// the clearly nearer one, so that the two sides of a sliver do not form a seam. A border with
-/// partners within join / 50 all along is not searched further. `join` in mm; a border near the
-/// inside of another face is none. The order is that of the model's borders.
+/// partners within join / 50 all along is searched no further than to their other partners. `join`
+/// in mm; a border near the inside of another face is none. The order is that of the borders.
 std::vector<Seam> pair_seams(const SurfaceModel& model, double join, const Job& job = {});
 
 } // namespace keiko

@@ -41,35 +41,52 @@ bool turns_corner(const SeamPiece::Tip& x, const SeamPiece::Tip& y) {
     return is_corner(x.onward, -y.onward);
 }
 
-/// Calls `work(i, j)`, i < j, for the ends of pieces that continue each other on both borders. The
-/// ends of piece k are 2 k and 2 k + 1.
-template <class Work>
-void for_meeting_ends(std::span<const SeamPiece> pieces, double join, const Work& work) {
-    const auto tips = [&](std::size_t i) -> const std::array<SeamPiece::Tip, 2>& {
-        return pieces[i / 2].ends[i % 2];
-    };
-    const auto meet_on = [&](std::size_t side, std::size_t i, std::size_t j, double near) {
-        return meet(tips(i)[side], tips(j)[side], near);
-    };
-    const auto go_on = [&](std::size_t i, std::size_t j) {
-        const SeamPiece &x = pieces[i / 2], &y = pieces[j / 2];
+/// Finds the ends of pieces that continue each other on both borders. The ends of piece k are 2 k
+/// and 2 k + 1. Which border of a piece is its first says nothing about the next piece.
+class PieceEnds {
+public:
+    PieceEnds(std::span<const SeamPiece> pieces, double join) : pieces_(pieces), join_(join) {}
+
+    /// Calls `work(i, j)`, i < j, for the ends that continue each other.
+    template <class Work>
+    void for_meeting(const Work& work) const {
+        std::vector<Box3> boxes(2 * pieces_.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i)
+            for (const SeamPiece::Tip& tip : tips(i)) boxes[i].extend(tip.position);
+        const BoxTree tree(boxes);
+        for (std::uint32_t i = 0; i < boxes.size(); ++i)
+            for (const std::uint32_t j : tree.overlapping(boxes[i].padded(meeting * join_)))
+                if (j > i && (go_on(i, j, 0) || go_on(i, j, 1))) work(i, j);
+    }
+
+private:
+    const std::array<SeamPiece::Tip, 2>& tips(std::size_t i) const {
+        return pieces_[i / 2].ends[i % 2];
+    }
+    /// True if two ends continue each other. Border k of the first piece runs on into border k of
+    /// the second, or into its other one if `crossed` is 1.
+    bool go_on(std::size_t i, std::size_t j, std::size_t crossed) const {
+        const SeamPiece &x = pieces_[i / 2], &y = pieces_[j / 2];
+        const auto meet_on = [&](std::size_t side, double near) {
+            return meet(tips(i)[side], tips(j)[side ^ crossed], near);
+        };
+        const auto turns_on = [&](std::size_t side) {
+            return turns_corner(tips(i)[side], tips(j)[side ^ crossed]);
+        };
         // Along two loops one begins where the other ends, whatever corners either has. Where teeth
         // of both are opposite each other, no place of one border faces the tips of the other.
-        if (x.faces == y.faces && x.same_direction == y.same_direction && i % 2 != j % 2)
-            return meet_on(0, i, j, meeting * join) || meet_on(1, i, j, meeting * join);
+        const bool in_order = (i % 2 != j % 2) == (crossed == 0 || x.same_direction);
+        if (x.faces == y.faces && x.same_direction == y.same_direction && in_order &&
+            (crossed == 0 || x.is_of_one_face()))
+            return meet_on(0, meeting * join_) || meet_on(1, meeting * join_);
         const double near =
-            std::min(meeting * join, meeting_in_lengths * std::min(x.length, y.length));
-        return meet_on(0, i, j, near) && meet_on(1, i, j, near) &&
-               !turns_corner(tips(i)[0], tips(j)[0]) && !turns_corner(tips(i)[1], tips(j)[1]);
-    };
-    std::vector<Box3> boxes(2 * pieces.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (const SeamPiece::Tip& tip : tips(i)) boxes[i].extend(tip.position);
-    const BoxTree tree(boxes);
-    for (std::uint32_t i = 0; i < boxes.size(); ++i)
-        for (const std::uint32_t j : tree.overlapping(boxes[i].padded(meeting * join)))
-            if (j > i && go_on(i, j)) work(i, j);
-}
+            std::min(meeting * join_, meeting_in_lengths * std::min(x.length, y.length));
+        return meet_on(0, near) && meet_on(1, near) && !turns_on(0) && !turns_on(1);
+    }
+
+    std::span<const SeamPiece> pieces_;
+    double join_;
+};
 
 /// Pieces too short to be seams that meet each other.
 struct Run {
@@ -95,7 +112,9 @@ public:
           of_same_faces_(pieces.size()),
           over_faces_(pieces.size()),
           at_seam_(2 * pieces.size()) {
-        for_meeting_ends(pieces, join, [&](std::size_t i, std::size_t j) { add_meeting(i, j); });
+        PieceEnds(pieces, join).for_meeting([&](std::size_t i, std::size_t j) {
+            add_meeting(i, j);
+        });
         add_runs();
     }
 

@@ -92,6 +92,9 @@ struct SeamPiece {
     double widest = 0;                        ///< mm between the borders
     bool fills_border = false; ///< almost the whole of the shorter border, of two faces or of one
                                ///< that the file closes there
+
+    /// True if both borders are of one placed face.
+    bool is_of_one_face() const { return faces[0] == faces[2] && faces[1] == faces[3]; }
 };
 
 /// Seams among the pieces, one flag a piece. A seam is longer than it is wide, and longer than

@@ -6,6 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -23,10 +26,13 @@ public:
 
     std::vector<KnotPiece> all() {
         const SurfaceModel& model = face_.model();
-        for (std::uint32_t k = 0; k < face_.face().patch_count; ++k)
-            for (const bool constant_u : {true, false})
+        for (const bool constant_u : {true, false}) {
+            Strips strips;
+            for (std::uint32_t k = 0; k < face_.face().patch_count; ++k)
                 add_bends(model.patches[face_.face().first_patch + k],
-                          model.patch(face_.face().first_patch + k), constant_u);
+                          model.patch(face_.face().first_patch + k), constant_u, strips);
+            for (auto& [along, strip] : strips) add_bends_of_runs(strip, along, constant_u);
+        }
         return sharpest();
     }
 
@@ -34,13 +40,47 @@ private:
     /// A bend, and the window that it lies in.
     struct Bend {
         KnotPiece piece, window;
+        double whole = 0; ///< degrees, of a bend as wide as its window; else 0
     };
 
-    void add_bends(const Patch& patch, const BezierPatchView& points, bool constant_u) {
+    /// Narrow patches: the ranges of the parameter across the lines, by the range along them.
+    using Strips = std::map<std::pair<double, double>, std::vector<ParameterInterval>>;
+
+    /// True if the face is no wider than the window from a line to another one.
+    bool is_narrow(const KnotPiece& from, double to) const {
+        return distances(from, to).least <= window_;
+    }
+
+    /// Adds the bends about the middles of runs of patches that are together no wider than the
+    /// window. Several patches share a bend where as many knots as the degree lie close together.
+    void add_bends_of_runs(std::vector<ParameterInterval>& strip,
+                           const std::pair<double, double>& along, bool constant_u) {
+        std::sort(strip.begin(), strip.end(),
+                  [](const auto& a, const auto& b) { return a.begin < b.begin; });
+        for (std::size_t i = 0; i < strip.size(); ++i) {
+            const KnotPiece from{constant_u, strip[i].begin, along.first, along.second};
+            std::size_t last = i;
+            while (last + 1 < strip.size() && strip[last + 1].begin == strip[last].end &&
+                   is_narrow(from, strip[last + 1].end))
+                ++last;
+            if (last == i) continue;
+            const double most = strip[last].end - strip[i].begin;
+            const double half = distances(from, strip[last].end).most / 2;
+            KnotPiece line = from;
+            line.at = parameter_at(from, half, most, most).value_or(from.at + most / 2);
+            if (!is_point(line)) add_bend(line, most);
+        }
+    }
+
+    /// Adds the bends of a patch, and a patch that is narrow to its strip.
+    void add_bends(const Patch& patch, const BezierPatchView& points, bool constant_u,
+                   Strips& strips) {
         const ParameterMap& across = constant_u ? patch.map_u : patch.map_v;
         const ParameterMap& along = constant_u ? patch.map_v : patch.map_u;
         tested_ = isoline_places((constant_u ? points.degree_v : points.degree_u) + 1);
         for (const double t : slow_lines(points, constant_u, tested_, window_)) {
+            if (t == middle_of_narrow)
+                strips[{along.begin, along.end}].push_back({across.begin, across.end});
             const double at = t == 0 ? across.begin : t == 1 ? across.end : across.to_face(t);
             const KnotPiece line{constant_u, at, along.begin, along.end};
             const auto is_known = [&](const Bend& b) { return b.piece.order() == line.order(); };
@@ -55,17 +95,19 @@ private:
         const double limit = close.is_bend() ? largest_angle(close) : 0;
         close.has_limits = is_singular(line), apart.has_limits = false;
         if (apart.is_bend() && is_tight(apart, limit))
-            bends_.push_back({apart, apart});
+            bends_.push_back({apart, apart, largest_angle(apart)});
         else if (close.is_bend() && (limit > least_limit || (close.has_limits && breaks(close))))
             bends_.push_back({close, apart.is_bend() ? apart : close});
     }
 
-    /// The bend with the nearest sides among bends within each other's windows.
+    /// The bend with the nearest sides among bends within each other's windows; of those that are
+    /// as wide as the window, the one that turns the most.
     std::vector<KnotPiece> sharpest() {
-        const auto nearer = [](const Bend& a, const Bend& b) {
-            return a.piece.high - a.piece.low < b.piece.high - b.piece.low;
+        const auto order = [](const Bend& bend) {
+            return std::tuple(bend.whole > 0, -bend.whole, bend.piece.high - bend.piece.low);
         };
-        std::stable_sort(bends_.begin(), bends_.end(), nearer);
+        const auto sharper = [&](const Bend& a, const Bend& b) { return order(a) < order(b); };
+        std::stable_sort(bends_.begin(), bends_.end(), sharper);
         std::vector<KnotPiece> kept, windows;
         for (const Bend& bend : bends_) {
             const auto meets = [&](const KnotPiece& window) { return window.meets(bend.window); };
@@ -131,7 +173,7 @@ private:
     std::optional<double> parameter_at(const KnotPiece& line, double distance, double width,
                                        double most) const {
         const auto reaches = [&](double step) {
-            return farthest(line, line.at + std::copysign(step, width)) >= distance;
+            return distances(line, line.at + std::copysign(step, width)).most >= distance;
         };
         double below = 0, above = std::min(first_step * std::abs(width), most);
         while (!reaches(above)) {
@@ -146,15 +188,21 @@ private:
         return line.at + std::copysign(above, width);
     }
 
-    double farthest(const KnotPiece& line, double beside) const {
-        double most = 0;
+    /// mm from the tested places of a line to those of another, square to it.
+    struct Distances {
+        double least = HUGE_VAL, most = 0;
+    };
+
+    Distances distances(const KnotPiece& line, double beside) const {
+        Distances result;
         for (const double t : tested_) {
             const double x = line.begin + t * (line.end - line.begin);
             const Vec2 on_line = line.point(line.at, x);
             const Vec3 way = face_.point(line.point(beside, x)) - face_.point(on_line);
-            most = std::max(most, square_to(way, face_.along(on_line, line.constant_u)).length());
+            const double far = square_to(way, face_.along(on_line, line.constant_u)).length();
+            result.least = std::min(result.least, far), result.most = std::max(result.most, far);
         }
-        return most;
+        return result;
     }
 
     /// True if a line is a point, as at a pole, and has no sides.

@@ -1,8 +1,9 @@
 #include "keiko/inspect/seams/face_strips.h"
 
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/geometry/seam/border_approach.h"
+#include "keiko/geometry/seam/border_run.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
@@ -16,7 +17,57 @@ ClosestPoint foot_on(const SeamSide::Line& line, const Vec3& place, double guess
     return closest_point(line.curve, place, guess, line.low(), line.high());
 }
 
+/// Shares s at which low <= from + s * slope <= high.
+ParameterInterval between(double from, double slope, double low, double high) {
+    if (slope == 0)
+        return low <= from && from <= high ? ParameterInterval{0, 1} : ParameterInterval{1, 0};
+    const auto [begin, end] = std::minmax({(low - from) / slope, (high - from) / slope});
+    return {begin, end};
+}
+
+/// Shares s at which |from + s * slope| <= reach.
+ParameterInterval within(const Vec3& from, const Vec3& slope, double reach) {
+    const double a = slope.length2(), b = from.dot(slope), c = from.length2() - reach * reach;
+    if (a == 0) return c <= 0 ? ParameterInterval{0, 1} : ParameterInterval{1, 0};
+    const double square = b * b - a * c;
+    if (!(square >= 0)) return {1, 0};
+    return {(-b - std::sqrt(square)) / a, (-b + std::sqrt(square)) / a};
+}
+
 } // namespace
+
+std::vector<SideChord> chords_of(const SeamSide& side, std::uint32_t number) {
+    const SurfaceCurve& curve = side.own.curve;
+    const double begin = side.own.low(), end = side.own.high();
+    const CurvePolyline line = make_polyline(curve, chord_error);
+    std::vector<SideChord> chords;
+    double t = begin;
+    Vec3 from = curve.at(begin).position;
+    const auto add = [&](double t_to, const Vec3& to) {
+        chords.push_back({number, t, t_to, from, to});
+        t = t_to, from = to;
+    };
+    for (std::size_t k = 0; k < line.t.size(); ++k)
+        if (line.t[k] > begin && line.t[k] < end) add(line.t[k], line.points[k]);
+    add(end, curve.at(end).position);
+    return chords;
+}
+
+std::optional<ParameterInterval> part_beside(const SideChord& chord, const SideChord& other,
+                                             double reach) {
+    const double length = other.length();
+    const Vec3 way = chord.to - chord.from;
+    if (!(length > 0) || !nearly_parallel(way, other.to - other.from, std::sin(parallel_borders)))
+        return std::nullopt;
+    const Vec3 along = (other.to - other.from) / length;
+    const Vec3 start = chord.from - other.from;
+    const ParameterInterval on = between(start.dot(along), way.dot(along), 0, length);
+    const ParameterInterval near =
+        within(start - along * start.dot(along), way - along * way.dot(along), reach);
+    const ParameterInterval part{std::max({0.0, on.begin, near.begin}),
+                                 std::min({1.0, on.end, near.end})};
+    return part.begin < part.end ? std::optional(part) : std::nullopt;
+}
 
 FaceStrips::FaceStrips(const SurfaceModel& model, const PlacedFace& face,
                        const std::vector<SeamSide>& sides)
@@ -24,23 +75,9 @@ FaceStrips::FaceStrips(const SurfaceModel& model, const PlacedFace& face,
 
 std::vector<Box3> FaceStrips::list_chords() {
     std::vector<Box3> boxes;
-    for (std::uint32_t side = 0; side < sides_.size(); ++side) {
-        const SurfaceCurve& curve = sides_[side].own.curve;
-        const double begin = sides_[side].own.low(), end = sides_[side].own.high();
-        const CurvePolyline line = make_polyline(curve, chord_error);
-        double t = begin;
-        Vec3 from = curve.at(begin).position;
-        const auto add = [&](double t_to, const Vec3& to) {
-            chords_.push_back({side, t, t_to, from, to});
-            boxes.emplace_back();
-            boxes.back().extend(from);
-            boxes.back().extend(to);
-            t = t_to, from = to;
-        };
-        for (std::size_t k = 0; k < line.t.size(); ++k)
-            if (line.t[k] > begin && line.t[k] < end) add(line.t[k], line.points[k]);
-        add(end, curve.at(end).position);
-    }
+    for (std::uint32_t side = 0; side < sides_.size(); ++side)
+        for (const SideChord& chord : chords_of(sides_[side], side))
+            chords_.push_back(chord), boxes.push_back(chord.box());
     return boxes;
 }
 

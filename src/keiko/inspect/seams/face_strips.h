@@ -19,7 +19,23 @@ struct SideChord {
     double length() const { return (to - from).length(); }
     /// Parameter of the border at a share of it, 0 at `from` and 1 at `to`.
     double t(double share) const { return t_from + share * (t_to - t_from); }
+    /// Box around it.
+    Box3 box() const {
+        Box3 box;
+        box.extend(from);
+        box.extend(to);
+        return box;
+    }
 };
+
+/// The chords of a side, which has this number, within 0.002 mm of it.
+std::vector<SideChord> chords_of(const SeamSide& side, std::uint32_t number);
+
+/// The part of `chord` that runs beside `other`: from each of its places the foot of the
+/// perpendicular on the line of `other` lies on `other`, at most `reach` mm away. Shares of
+/// `chord`; nullopt if there is none, or if the chords diverge by more than `parallel_borders`.
+std::optional<ParameterInterval> part_beside(const SideChord& chord, const SideChord& other,
+                                             double reach);
 
 /// Places of two sides of seams that face each other over the material of one face.
 struct StripPlace {

@@ -2,7 +2,6 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
-#include "keiko/geometry/seam/border_run.h"
 #include "keiko/inspect/seams/face_strips.h"
 #include "keiko/math/interval_set.h"
 
@@ -12,42 +11,6 @@
 
 namespace keiko {
 namespace {
-
-/// Shares s at which low <= from + s * slope <= high.
-ParameterInterval between(double from, double slope, double low, double high) {
-    if (slope == 0)
-        return low <= from && from <= high ? ParameterInterval{0, 1} : ParameterInterval{1, 0};
-    const auto [begin, end] = std::minmax({(low - from) / slope, (high - from) / slope});
-    return {begin, end};
-}
-
-/// Shares s at which |from + s * slope| <= reach.
-ParameterInterval within(const Vec3& from, const Vec3& slope, double reach) {
-    const double a = slope.length2(), b = from.dot(slope), c = from.length2() - reach * reach;
-    if (a == 0) return c <= 0 ? ParameterInterval{0, 1} : ParameterInterval{1, 0};
-    const double square = b * b - a * c;
-    if (!(square >= 0)) return {1, 0};
-    return {(-b - std::sqrt(square)) / a, (-b + std::sqrt(square)) / a};
-}
-
-/// The part of `chord` that runs beside `other`: from each of its places the foot of the
-/// perpendicular on the line of `other` lies on `other`, at most `reach` mm away. Shares of
-/// `chord`; nullopt if there is none, or if the chords diverge by more than `parallel_borders`.
-std::optional<ParameterInterval> part_beside(const SideChord& chord, const SideChord& other,
-                                             double reach) {
-    const double length = other.length();
-    const Vec3 way = chord.to - chord.from;
-    if (!(length > 0) || !nearly_parallel(way, other.to - other.from, std::sin(parallel_borders)))
-        return std::nullopt;
-    const Vec3 along = (other.to - other.from) / length;
-    const Vec3 start = chord.from - other.from;
-    const ParameterInterval on = between(start.dot(along), way.dot(along), 0, length);
-    const ParameterInterval near =
-        within(start - along * start.dot(along), way - along * way.dot(along), reach);
-    const ParameterInterval part{std::max({0.0, on.begin, near.begin}),
-                                 std::min({1.0, on.end, near.end})};
-    return part.begin < part.end ? std::optional(part) : std::nullopt;
-}
 
 class StripSearch {
 public:
@@ -81,11 +44,8 @@ private:
 /// mm of a chord along which the face has a strip; `found` takes the worst place.
 double StripSearch::narrow_length(std::uint32_t i, NarrowFace& found) {
     const SideChord& from = strips_.chords()[i];
-    Box3 box;
-    box.extend(from.from);
-    box.extend(from.to);
     std::vector<ParameterInterval> narrow;
-    for (const std::uint32_t j : strips_.near(box.padded(join_))) {
+    for (const std::uint32_t j : strips_.near(from.box().padded(join_))) {
         const SideChord& to = strips_.chords()[j];
         const SeamSide& near = side_of(from);
         if (side_of(to).is_crease && j <= i) continue; // found from there

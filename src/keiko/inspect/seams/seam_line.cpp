@@ -4,9 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
-#include <utility>
 
 namespace keiko {
 namespace {
@@ -176,28 +173,6 @@ std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamL
         measured.push_back({std::move(seam), std::move(stretch.parts)});
     }
     return measured;
-}
-
-void excuse_scraps(std::vector<MeasuredSeam>& seams) {
-    using PlacedFace = std::pair<std::uint32_t, std::uint32_t>;
-    std::map<PlacedFace, double> failing;
-    const auto faces_of = [](const MeasuredSeam& seam) {
-        return std::set<PlacedFace>{{seam.instance_a, seam.face_a}, {seam.instance_b, seam.face_b}};
-    };
-    for (const MeasuredSeam& seam : seams)
-        if (seam.scrap && seam.verdict != Verdict::pass)
-            for (const PlacedFace& face : faces_of(seam)) failing[face] += seam.length;
-    for (MeasuredSeam& seam : seams) {
-        if (!seam.scrap) continue;
-        const std::set<PlacedFace> faces = faces_of(seam);
-        const bool too_long = std::any_of(faces.begin(), faces.end(), [&](const PlacedFace& face) {
-            return failing[face] > seam.negligible;
-        });
-        if (too_long && seam.verdict != Verdict::pass)
-            seam.scrap = false;
-        else
-            seam.verdict = Verdict::pass, seam.severity = 0;
-    }
 }
 
 } // namespace keiko

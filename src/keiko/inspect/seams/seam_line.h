@@ -27,10 +27,6 @@ struct MeasuredStretch {
 StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset& preset,
                              double join);
 
-/// Takes scraps out of the verdict. This applies to faces whose scraps that do not pass are
-/// together at most as long as the seam's negligible length. All others stop being scraps.
-void excuse_scraps(std::vector<MeasuredSeam>& seams);
-
 /// Cuts a line into stretches, measures each on the exact geometry and judges it by the rules of
 /// its class, scraps too.
 std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,

@@ -4,6 +4,7 @@
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/seams/bend_pieces.h"
 #include "keiko/inspect/seams/knot_piece.h"
+#include "keiko/inspect/seams/scraps.h"
 #include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/seam_line.h"
 
@@ -62,6 +63,50 @@ MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Se
             result.seams.push_back(std::move(seam));
         }
     return result;
+}
+
+/// An end of a scrap's border that leads out of it in the direction `out`.
+SeamEnd tip(const Vec3& place, const Vec3& out) {
+    return {place, out, out};
+}
+
+/// The ends of the borders of a scrap, on both of its sides; of a line inside a face, its own.
+std::vector<SeamEnd> tips_of(const BoundaryCurves& curves, std::span<const Seam> pieces,
+                             const MeasuredSeam& scrap) {
+    std::vector<SeamEnd> tips;
+    for (const std::uint32_t piece : scrap.pieces)
+        for (const BoundaryInterval& on : {pieces[piece].a, pieces[piece].b}) {
+            const SurfaceCurve curve = curves.curve(on);
+            const double ahead = on.begin <= on.end ? 1 : -1;
+            const SurfaceCurve::Point first = curve.at(on.begin), last = curve.at(on.end);
+            tips.push_back(tip(first.position, first.first * -ahead));
+            tips.push_back(tip(last.position, last.first * ahead));
+        }
+    if (!scrap.internal) return tips;
+    for (const std::vector<Vec3>& course : scrap.course) {
+        tips.push_back(tip(course.front(), course[0] - course[1]));
+        tips.push_back(tip(course.back(), course.back() - course[course.size() - 2]));
+    }
+    return tips;
+}
+
+/// Takes scraps out of the verdict, unless they are judged after all (judged_scraps): those stop
+/// being scraps.
+void excuse_scraps(const BoundaryCurves& curves, double join, MeasuredSeams& measured) {
+    std::vector<Scrap> scraps;
+    std::vector<MeasuredSeam*> failing;
+    for (MeasuredSeam& seam : measured.seams) {
+        if (!seam.scrap || seam.verdict == Verdict::pass) continue;
+        failing.push_back(&seam);
+        scraps.push_back({{{{seam.instance_a, seam.face_a}, {seam.instance_b, seam.face_b}}},
+                          seam.length,
+                          seam.negligible,
+                          tips_of(curves, measured.pieces, seam)});
+    }
+    const std::vector<bool> judged = judged_scraps(scraps, join);
+    for (std::size_t i = 0; i < failing.size(); ++i) failing[i]->scrap = !judged[i];
+    for (MeasuredSeam& seam : measured.seams)
+        if (seam.scrap) seam.verdict = Verdict::pass, seam.severity = 0;
 }
 
 bool has_irregular_patch(const SurfaceModel& model, std::uint32_t face) {
@@ -171,7 +216,7 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance, const KnotL
 MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> seams,
                             const CriteriaPreset& preset, double join, const Job& job) {
     MeasuredSeams measured = with_judged_scraps(borders, seams, preset, join, job);
-    excuse_scraps(measured.seams);
+    excuse_scraps(borders.curves, join, measured);
     return measured;
 }
 
@@ -183,7 +228,7 @@ MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Sea
         seam.line += lines;
         all.seams.push_back(std::move(seam));
     }
-    excuse_scraps(all.seams);
+    excuse_scraps(borders.curves, join, all);
     return all;
 }
 

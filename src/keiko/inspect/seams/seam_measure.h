@@ -107,7 +107,7 @@ MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> s
                             const CriteriaPreset& preset, double join, const Job& job = {});
 
 /// Measures the seams, followed by the stretches of knot lines inside faces (measure_knot_lines).
-/// The scraps of a face are excused by the length of all of them, on seams and knot lines together.
+/// Scraps are excused by what they add up to (judged_scraps), on seams and knot lines together.
 MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Seam> seams,
                                 const CriteriaPreset& preset, double join, const Job& job = {});
 
@@ -119,7 +119,7 @@ std::size_t line_count(std::span<const MeasuredSeam> seams);
 /// less than G2, as knots of high multiplicity leave them. So are the lines across which a placed
 /// face bends within the preset's negligible length (bend_pieces). A line breaks above 1e-4 mm,
 /// 1e-4 degrees or, for its curvatures, 0.1 % and 2e-7 /mm of the unplaced face: digits of files
-/// cause less. Scraps are judged too, until excuse_scraps() takes them out of the verdict. Faces
+/// cause less. Scraps are judged too, until measure_all_seams takes them out of it. Faces
 /// that approximate the file's, and those at irregular points of cages, are left out: they have
 /// knots of their own and none of the file's.
 std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,

@@ -112,7 +112,7 @@ void add_slow(const CrossSpeed& speed, int degree, double window, std::vector<do
         sampled.push_back(speed(static_cast<double>(i) / steps));
         length += sampled.back() / (steps + 1), most = std::max(most, sampled.back());
     }
-    if (length <= window) lines.push_back(0.5);
+    if (length <= window) lines.push_back(middle_of_narrow);
     const double limit = fastest_slow(degree, window, most);
     for (int i = 0; i <= steps; ++i) {
         const auto k = static_cast<std::size_t>(i);

@@ -7,6 +7,9 @@
 
 namespace keiko {
 
+/// Parameter of the line of a patch that is no wider than the window.
+constexpr double middle_of_narrow = 0.5;
+
 /// The isolines of a patch at which its surface could bend within `window` mm: where the speed
 /// square to the isoline, |S_u x S_v| / |S_v|, is least. This is a heuristic. A bend within w is
 /// expected only of lines slower than (n - 1) sqrt(2 w m) of degree n, m the largest speed. The
