@@ -3,18 +3,23 @@
 #include "keiko/files/model/cad_text.h"
 #include "keiko/import/cad/assembly.h"
 #include "keiko/import/cad/cad_document.h"
+#include "keiko/import/cad/offset_bases.h"
 #include "keiko/import/cad/shape_attributes.h"
 #include "keiko/import/cad/step_losses.h"
+#include "keiko/import/cad/surface_patches.h"
 
 #include <BRepTools.hxx>
 #include <BRep_Builder.hxx>
+#include <BRep_Tool.hxx>
 #include <IFSelect_ReturnStatus.hxx>
 #include <IGESCAFControl_Reader.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_OffsetSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
+#include <IGESToBRep_BasicSurface.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
@@ -25,6 +30,7 @@
 #include <TColStd_SequenceOfAsciiString.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
@@ -85,6 +91,17 @@ int number_of_loops(const Handle(IGESData_IGESEntity) & entity) {
     return 0;
 }
 
+/// The surface that a face lies on: itself where it has no trims.
+Handle(IGESData_IGESEntity) surface_of(const Handle(IGESData_IGESEntity) & entity) {
+    if (const auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(entity); !trimmed.IsNull())
+        return trimmed->Surface();
+    if (const auto bounded = Handle(IGESGeom_BoundedSurface)::DownCast(entity); !bounded.IsNull())
+        return bounded->Surface();
+    if (const auto face = Handle(IGESSolid_Face)::DownCast(entity); !face.IsNull())
+        return face->Surface();
+    return entity;
+}
+
 int number_of_wires(const TopoDS_Shape& shape) {
     int count = 0;
     for (TopExp_Explorer wire(shape, TopAbs_WIRE); wire.More(); wire.Next()) ++count;
@@ -127,11 +144,30 @@ private:
         const TopoDS_Shape shape = shape_of(entity);
         if (shape.IsNull()) lose(entity);
         const int stated = number_of_loops(entity), found = number_of_wires(shape);
-        if (found >= stated) return;
-        const std::string lost = label(entity) + " states " + std::to_string(stated) +
-                                 " trim loops, of which " + std::to_string(found) + " were read";
+        std::string lost;
+        if (found < stated)
+            lost = label(entity) + " states " + std::to_string(stated) + " trim loops, of which " +
+                   std::to_string(found) + " were read";
+        else
+            lost = smoothed_offset(surface_of(entity), shape);
+        if (lost.empty()) return;
         for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-            document_.lost_trims.emplace(face.Current().TShape().get(), lost);
+            document_.misread.emplace(face.Current().TShape().get(), lost);
+    }
+
+    /// How the offset surface of a face differs from the file's; empty if it does not.
+    std::string smoothed_offset(const Entity& surface, const TopoDS_Shape& shape) const {
+        const auto stated = Handle(IGESGeom_OffsetSurface)::DownCast(surface);
+        TopExp_Explorer face(shape, TopAbs_FACE);
+        if (stated.IsNull() || !face.More()) return "";
+        const auto read = Handle(Geom_OffsetSurface)::DownCast(
+            untrimmed(BRep_Tool::Surface(TopoDS::Face(face.Current()))));
+        IGESToBRep_BasicSurface reader;
+        reader.SetModel(Handle(IGESData_IGESModel)::DownCast(session_->Model()));
+        const auto base = reader.TransferBasicSurface(stated->Surface());
+        if (read.IsNull() || base.IsNull()) return "";
+        const double error = offset_error(*read, base);
+        return error > offset_tolerance ? smoothed_by(label(surface), error) : "";
     }
 
     /// "entity D12 of type 144"

@@ -1,11 +1,16 @@
 #include "keiko/import/cad/step_losses.h"
 
+#include "keiko/import/cad/offset_bases.h"
+#include "keiko/import/cad/surface_patches.h"
+
+#include <BRep_Tool.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionRelationship.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_UndefinedEntity.hxx>
+#include <StepGeom_OffsetSurface.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_ProductDefinitionShape.hxx>
 #include <StepRepr_Representation.hxx>
@@ -24,13 +29,16 @@
 #include <StepShape_ShellBasedSurfaceModel.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <StepShape_VertexLoop.hxx>
+#include <StepToGeom.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 
+#include <cmath>
 #include <set>
 #include <unordered_map>
 #include <unordered_set>
@@ -139,9 +147,11 @@ private:
     void take(const FaceEntity& face) {
         const TopoDS_Shape shape = shape_of(face);
         if (is_present(face)) {
-            if (std::string lost = lost_bound(face); !lost.empty())
-                for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
-                    document_.lost_trims.emplace(e.Current().TShape().get(), lost);
+            std::string lost = lost_bound(face);
+            if (lost.empty()) lost = smoothed_offset(face, shape);
+            if (lost.empty()) return;
+            for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
+                document_.misread.emplace(e.Current().TShape().get(), lost);
         } else if (holds_.count(face.get()) > 0) {
             lose(face, shape.IsNull() ? "gave no face" : "is in no part that is placed");
             lost_.insert(face.get());
@@ -160,6 +170,26 @@ private:
                 return "bound " + (bound.IsNull() ? std::to_string(i) : label(bound)) + " " + lost;
         }
         return "";
+    }
+
+    /// How the offset surface of a face differs from the file's; empty if it does not.
+    std::string smoothed_offset(const FaceEntity& face, const TopoDS_Shape& shape) const {
+        const auto stated =
+            opencascade::handle<StepGeom_OffsetSurface>::DownCast(face->FaceGeometry());
+        TopExp_Explorer first(shape, TopAbs_FACE);
+        if (stated.IsNull() || !first.More()) return "";
+        const auto read = opencascade::handle<Geom_OffsetSurface>::DownCast(
+            untrimmed(BRep_Tool::Surface(TopoDS::Face(first.Current()))));
+        const auto base = StepToGeom::MakeSurface(stated->BasisSurface());
+        if (read.IsNull() || base.IsNull()) return "";
+        // The unit of the last shape that was read need not be that of this face: what is measured
+        // is read again.
+        const auto again =
+            opencascade::handle<Geom_OffsetSurface>::DownCast(StepToGeom::MakeSurface(stated));
+        if (again.IsNull() || again->Offset() == 0) return "";
+        const double error =
+            offset_error(*again, base) * std::abs(read->Offset() / again->Offset());
+        return error > offset_tolerance ? smoothed_by(label(stated), error) : "";
     }
 
     /// A vertex loop bounds nothing.
