@@ -80,7 +80,8 @@ Check slope_check(const MeasuredSeam& seam) {
     return check;
 }
 
-constexpr const char* no_curvature = "the face stands in for another, or nothing is left of it";
+constexpr const char* no_curvature =
+    "the face lies at an irregular point of a cage, or nothing is left of it";
 
 Check radius_check(const MeasuredFace& face) {
     if (!face.curvature) return unjudged_check("G-SU-CR", no_curvature);
@@ -91,14 +92,17 @@ Check radius_check(const MeasuredFace& face) {
 Check unsearched_check(const Flaw& flaw) {
     Check check =
         judged_check("G-SU-WV", "mm", flaw.depth, {"the depth of dents and waves", " mm"});
-    check.message = "the face, some " + short_number(flaw.width) +
-                    " mm long, is too large to be searched for dents and waves in a window of " +
+    const char* why = flaw.kind == Flaw::Kind::rough
+                          ? " mm in size, approximates one of the file too roughly"
+                          : " mm in size, is too large, or its control points too far apart,";
+    check.message = "the face, some " + short_number(flaw.width) + why +
+                    " to be searched for dents and waves in a window of " +
                     short_number(flaw.window) + " mm";
     return check;
 }
 
 Check flaw_check(const Flaw& flaw) {
-    if (flaw.kind == Flaw::Kind::unsearched) return unsearched_check(flaw);
+    if (!flaw.is_searched()) return unsearched_check(flaw);
     Check check = flaw.kind == Flaw::Kind::waves
                       ? judged_check("G-SU-WV", "mm", flaw.depth, {"the depth of the waves", " mm"})
                   : flaw.kind == Flaw::Kind::dent

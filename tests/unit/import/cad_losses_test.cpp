@@ -4,14 +4,20 @@
 #include "tests/support/temporary_folder.h"
 #include "tests/unit/import/converted_shape.h"
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_NurbsConvert.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
 #include <BRepPrimAPI_MakeCylinder.hxx>
 #include <BRep_Builder.hxx>
+#include <Geom_BSplineSurface.hxx>
+#include <Geom_OffsetSurface.hxx>
 #include <IGESControl_Writer.hxx>
 #include <Interface_Static.hxx>
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPControl_Writer.hxx>
+#include <TColStd_Array1OfInteger.hxx>
+#include <TColStd_Array1OfReal.hxx>
+#include <TColgp_Array2OfPnt.hxx>
 #include <TDataStd_Name.hxx>
 #include <TDocStd_Document.hxx>
 #include <TopExp_Explorer.hxx>
@@ -24,6 +30,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <string>
 
@@ -132,6 +139,32 @@ TEST_F(CadLosses, AFaceWhoseSurfaceIsUnknown) {
         make_unknown(text, entity(text, "PLANE"));
     });
     expect(model, 11, 1, number + " in line ");
+}
+
+/// A face on the offset surface of two planes that meet at an angle, with this many knots there.
+TopoDS_Shape offset_of_kink(double slope, int knots) {
+    const std::array<double, 7> x{-100, -66, -33, 0, 33, 66, 100};
+    TColgp_Array2OfPnt poles(1, knots + 4, 1, 2);
+    for (int i = 1; i <= knots + 4; ++i)
+        for (int j = 1; j <= 2; ++j) {
+            const double at = x[static_cast<std::size_t>(knots < 3 && i > 3 ? i : i - 1)];
+            poles(i, j) = gp_Pnt(at, j == 1 ? -50 : 50, std::max(at, 0.0) * slope);
+        }
+    TColStd_Array1OfReal u(1, 3), v(1, 2);
+    TColStd_Array1OfInteger times_u(1, 3), times_v(1, 2);
+    for (int i = 1; i <= 3; ++i) u(i) = i, times_u(i) = i == 2 ? knots : 4;
+    for (int i = 1; i <= 2; ++i) v(i) = i, times_v(i) = 2;
+    const opencascade::handle<Geom_Surface> base =
+        new Geom_BSplineSurface(poles, u, v, times_u, times_v, 3, 1);
+    const opencascade::handle<Geom_Surface> offset = new Geom_OffsetSurface(base, 5, true);
+    return BRepBuilderAPI_MakeFace(offset, 1e-6).Shape();
+}
+
+/// OpenCASCADE takes knots out of such a base, whose corner is then up to a millimetre off.
+TEST_F(CadLosses, AnOffsetSurfaceOfAKinkThatTheReaderSmooths) {
+    expect(step(offset_of_kink(0.05, 3), leave), 6, 1, "smoothed a kink of its offset surface #");
+    expect(step(offset_of_kink(0, 3), leave), 7, 0, "");
+    expect(step(offset_of_kink(0.05, 2), leave), 7, 0, "");
 }
 
 TEST_F(CadLosses, AFaceWhoseKnotsDoNotAddUp) {
@@ -294,6 +327,19 @@ struct CadLossesOfIges : CadLosses, testing::WithParamInterface<int> {
         });
     }
 };
+
+TEST_P(CadLossesOfIges, AnOffsetSurfaceOfAKinkThatTheReaderSmooths) {
+    for (const double slope : {0.05, 0.0}) {
+        TopoDS_Compound both;
+        BRep_Builder builder;
+        builder.MakeCompound(both);
+        builder.Add(both, box());
+        builder.Add(both, offset_of_kink(slope, 3));
+        const std::size_t lost = slope > 0 ? 1 : 0;
+        expect(load_model(written(both)), 7 - lost, lost,
+               "smoothed a kink of its offset surface entity D");
+    }
+}
 
 TEST_P(CadLossesOfIges, AFaceWithoutItsSurface) {
     expect(damaged_box(), 5, 1, " gave no face");

@@ -51,6 +51,18 @@ TEST(FaceMeasure, CannotTellWhereTheLimitLiesWithinTheBound) {
     EXPECT_EQ(inspect(cylinder(0.6), at_least(between)).faces[0].verdict, Verdict::undecided);
 }
 
+TEST(FaceMeasure, CountsWhatAnApproximationMayBeOff) {
+    const auto verdict = [](double radius, double off) {
+        SurfaceModel model = cylinder(radius);
+        model.faces[0].approximated = off;
+        return measure_faces(model, at_least(0.5).surface).front().verdict;
+    };
+    EXPECT_EQ(verdict(0.4, 1e-7), Verdict::fail);
+    EXPECT_EQ(verdict(0.4, 0.01), Verdict::undecided);
+    EXPECT_EQ(verdict(0.6, 1e-7), Verdict::pass);
+    EXPECT_EQ(verdict(0.6, 0.01), Verdict::undecided);
+}
+
 TEST(FaceMeasure, JudgesNothingWithoutALimit) {
     const Inspection inspection = inspect(cylinder(0.4));
     EXPECT_NEAR(inspection.faces[0].radius->value, 0.4, 1e-9);

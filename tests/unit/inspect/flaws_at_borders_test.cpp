@@ -241,6 +241,7 @@ TEST(FlawsAtBorders, AFaceOfKilometresIsUndecided) {
     ASSERT_EQ(checks.size(), 1u);
     EXPECT_EQ(checks[0].worst.verdict, Verdict::undecided);
     EXPECT_NE(checks[0].message.find("too large"), std::string::npos);
+    EXPECT_NE(checks[0].message.find("some 4.24e+07 mm in size"), std::string::npos);
 }
 
 } // namespace

@@ -44,6 +44,32 @@ TEST(MeasureKnotLines, LeaveOutSmoothKnots) {
     EXPECT_TRUE(measure_knot_lines(builder.build(), {}).empty());
 }
 
+/// The only line in a sheet that stands for one of the file within `off` mm.
+std::vector<MeasuredSeam> approximated(double degrees, double off) {
+    ModelBuilder builder;
+    builder.nurbs(bent_sheet(degrees));
+    SurfaceModel model = builder.build();
+    model.faces[0].approximated = off;
+    return measure_knot_lines(model, {});
+}
+
+TEST(MeasureKnotLines, AreJudgedWhereTheFaceApproximatesOneOfTheFile) {
+    const auto lines = approximated(0.3, 1e-6);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_NEAR(lines[0].angle->value, 0.3, 1e-9);
+    EXPECT_GT(lines[0].angle->bound, 1e-4);
+    EXPECT_EQ(lines[0].verdict, Verdict::fail);
+    EXPECT_TRUE(approximated(0, 1e-10).empty());
+}
+
+TEST(MeasureKnotLines, AreUndecidedWhereAnApproximationMayHideAKink) {
+    for (const double degrees : {0.0, 0.3}) {
+        const auto lines = approximated(degrees, 0.001);
+        ASSERT_EQ(lines.size(), 1u);
+        EXPECT_EQ(lines[0].verdict, Verdict::undecided);
+    }
+}
+
 TEST(MeasureKnotLines, EndWhereTrimsDo) {
     ModelBuilder builder;
     builder.nurbs(bent_sheet(0.3));

@@ -43,6 +43,22 @@ TEST(PlantedFlaws, DentsAreFoundWhereTheyAreAndAsDeepAsTheyAre) {
                 }
 }
 
+/// An approximation hides no dent that is deeper than it is off.
+TEST(PlantedFlaws, DentsAreFoundInFacesThatApproximateThoseOfTheFile) {
+    SurfaceModel model = sheet(bump(21, 10), bump(-33, 10), -0.1, forms[0]);
+    model.faces[0].approximated = 1e-4;
+    const Check found = checks_of_flaws(model, limit).at(0);
+    EXPECT_EQ(found.code, "KEIKO-DENT");
+    EXPECT_NEAR(found.worst.value, 0.1, 0.001);
+    EXPECT_GE(found.worst.bound, 1e-4);
+    EXPECT_EQ(found.worst.verdict, Verdict::fail);
+    model.faces[0].approximated = limit / 2;
+    const Check hidden = checks_of_flaws(model, limit).at(0);
+    EXPECT_EQ(hidden.worst.verdict, Verdict::undecided);
+    EXPECT_NE(hidden.message.find("approximates one of the file too roughly"), std::string::npos)
+        << hidden.message;
+}
+
 /// Coordinates are long beside the patches here.
 TEST(PlantedFlaws, DentsAreFoundFarFromTheOrigin) {
     SurfaceModel model = sheet(bump(21, 10), bump(-33, 10), -0.1, forms[1]);

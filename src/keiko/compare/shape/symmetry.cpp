@@ -1,5 +1,6 @@
 #include "keiko/compare/shape/symmetry.h"
 
+#include "keiko/compare/shape/border_symmetry.h"
 #include "keiko/compare/shape/deviation.h"
 #include "keiko/geometry/trim/material_bounds.h"
 
@@ -16,7 +17,8 @@ std::uint32_t index_of(const std::vector<MeasuredFace>& faces, const PlacedFace&
     return static_cast<std::uint32_t>(found - faces.begin());
 }
 
-constexpr double fiftieth = 0.02; // of the size: what is farther has no image at all
+constexpr double same_border = 1e-9; // mm, rounding of the nearest places
+constexpr double fiftieth = 0.02;    // of the size: what is farther has no image at all
 
 struct SelfDeviation {
     PlacedModel body;
@@ -46,6 +48,16 @@ std::optional<MirrorPlane> nearest_plane(const SurfaceModel& model, const Job& j
     return std::nullopt;
 }
 
+/// Counts the borders in: the worse of both, and what either may hide.
+void take_border(const BorderDeviation& border, MeasuredValue& worst, PlacedFace& face) {
+    worst.verdict = std::max(
+        worst.verdict, judge_maximum(border.distance, border.hidden, same_border, worst.limit));
+    const double most = std::max(worst.value + worst.bound, border.distance + border.hidden);
+    if (border.distance > worst.value)
+        worst.value = border.distance, worst.place = border.place, face = border.face;
+    worst.bound = most - worst.value;
+}
+
 void add_check_at(const SurfaceModel& model, const SymmetryLimit& limit, Check::Severity severity,
                   Inspection& inspection, const Job& job) {
     const DeviationOptions options;
@@ -55,9 +67,14 @@ void add_check_at(const SurfaceModel& model, const SymmetryLimit& limit, Check::
     worst.bound = std::max(self.found.largest_uncertainty, options.certainty);
     worst.limit = limit.distance, worst.place = self.found.worst.place;
     worst.verdict = judge(worst.value, worst.bound, worst.limit);
+    PlacedFace face = self.body.origin[self.found.worst.face];
+    const BorderSearch search{limit.distance, self.reach, inspection.preset.negligible,
+                              inspection.join};
+    if (const auto border = border_asymmetry(model, inspection.pieces, limit.plane, search, job))
+        take_border(*border, worst, face);
     Check check = check_of_symmetry(worst, limit.plane.text());
     check.severity = severity;
-    check.face = index_of(inspection.faces, self.body.origin[self.found.worst.face]);
+    check.face = index_of(inspection.faces, face);
     check.faces = inspection.faces.at(check.face).name;
     add_check(inspection, std::move(check));
 }

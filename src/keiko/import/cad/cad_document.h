@@ -56,7 +56,7 @@ struct CadDocument {
         missing_files;                  ///< which the file names for parts, but which are not there
     std::vector<UnreadFace> lost_faces; ///< in the order they were missed
     std::unordered_map<const TopoDS_TShape*, std::string>
-        lost_trims;          ///< by face: which of its bounds the reader passed over
+        misread; ///< by face: which of its bounds the reader passed over, or what it changed
     Diagnostics diagnostics; ///< what reading the file has found
 };
 

@@ -240,8 +240,8 @@ KnownLoops known_loops(const FaceResult& face) {
 
 void convert(FaceResult& face, const CadDocument& document, const std::vector<TopoDS_Edge>& built) {
     try {
-        const auto lost = document.lost_trims.find(face.shape.TShape().get());
-        if (lost != document.lost_trims.end()) throw Error("", "", lost->second);
+        const auto lost = document.misread.find(face.shape.TShape().get());
+        if (lost != document.misread.end()) throw Error("", "", lost->second);
         face.converted = convert_face(face.shape, face.edges, built);
     } catch (...) {
         face.loss = current_failure();

@@ -1,14 +1,22 @@
 #include "keiko/import/cad/iges_losses.h"
 
+#include "keiko/import/cad/offset_bases.h"
+#include "keiko/import/cad/surface_patches.h"
+
+#include <BRep_Tool.hxx>
 #include <IGESData_IGESEntity.hxx>
+#include <IGESData_IGESModel.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
+#include <IGESGeom_OffsetSurface.hxx>
 #include <IGESGeom_TrimmedSurface.hxx>
 #include <IGESSolid_Face.hxx>
+#include <IGESToBRep_BasicSurface.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <Interface_InterfaceModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
 #include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
@@ -54,6 +62,17 @@ int number_of_loops(const Handle(IGESData_IGESEntity) & entity) {
     if (const auto face = Handle(IGESSolid_Face)::DownCast(entity); !face.IsNull())
         return face->NbLoops();
     return 0;
+}
+
+/// The surface that a face lies on: itself where it has no trims.
+Handle(IGESData_IGESEntity) surface_of(const Handle(IGESData_IGESEntity) & entity) {
+    if (const auto trimmed = Handle(IGESGeom_TrimmedSurface)::DownCast(entity); !trimmed.IsNull())
+        return trimmed->Surface();
+    if (const auto bounded = Handle(IGESGeom_BoundedSurface)::DownCast(entity); !bounded.IsNull())
+        return bounded->Surface();
+    if (const auto face = Handle(IGESSolid_Face)::DownCast(entity); !face.IsNull())
+        return face->Surface();
+    return entity;
 }
 
 int number_of_wires(const TopoDS_Shape& shape) {
@@ -144,12 +163,31 @@ private:
             return true;
         }
         const int stated = number_of_loops(entity), found = number_of_wires(shape);
-        if (found >= stated) return false;
-        const std::string lost = label(entity) + " states " + std::to_string(stated) +
-                                 " trim loops, of which " + std::to_string(found) + " were read";
+        std::string lost;
+        if (found < stated)
+            lost = label(entity) + " states " + std::to_string(stated) + " trim loops, of which " +
+                   std::to_string(found) + " were read";
+        else
+            lost = smoothed_offset(surface_of(entity), shape);
+        if (lost.empty()) return false;
         for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-            document_.lost_trims.emplace(face.Current().TShape().get(), lost);
+            document_.misread.emplace(face.Current().TShape().get(), lost);
         return true;
+    }
+
+    /// How the offset surface of a face differs from the file's; empty if it does not.
+    std::string smoothed_offset(const Entity& surface, const TopoDS_Shape& shape) const {
+        const auto stated = Handle(IGESGeom_OffsetSurface)::DownCast(surface);
+        TopExp_Explorer face(shape, TopAbs_FACE);
+        if (stated.IsNull() || !face.More()) return "";
+        const auto read = Handle(Geom_OffsetSurface)::DownCast(
+            untrimmed(BRep_Tool::Surface(TopoDS::Face(face.Current()))));
+        IGESToBRep_BasicSurface reader;
+        reader.SetModel(Handle(IGESData_IGESModel)::DownCast(session_->Model()));
+        const auto base = reader.TransferBasicSurface(stated->Surface());
+        if (read.IsNull() || base.IsNull()) return "";
+        const double error = offset_error(*read, base);
+        return error > offset_tolerance ? smoothed_by(label(surface), error) : "";
     }
 
     /// "entity D12 of type 144"

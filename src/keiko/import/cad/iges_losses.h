@@ -11,7 +11,7 @@ namespace keiko::cad {
 ///
 /// Lost faces are those that a root entity leads to and that are in no part. Solids and shells that
 /// gave no shape count as one where none of their faces is lost. Faces with fewer trim loops than
-/// their entity states go to CadDocument::lost_trims.
+/// their entity states go to CadDocument::misread.
 void note_iges_losses(XSControl_Reader& reader, CadDocument& document);
 
 } // namespace keiko::cad

@@ -132,7 +132,8 @@ void append(SurfacePatches& result, const SurfacePoint& surface, const Parameter
 
 SurfacePatches interpolated_patches(const SurfacePoint& surface, const std::vector<double>& cuts_u,
                                     const std::vector<double>& cuts_v, double tolerance) {
-    SurfacePatches result{{}, tolerance};
+    constexpr double rounding = 1e-10; // mm: what is interpolated is never exact
+    SurfacePatches result{{}, rounding};
     for (std::size_t i = 0; i + 1 < cuts_u.size(); ++i)
         for (std::size_t j = 0; j + 1 < cuts_v.size(); ++j)
             append(result, surface, {ParameterMap::Kind::affine, cuts_u[i], cuts_u[i + 1]},

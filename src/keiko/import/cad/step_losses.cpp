@@ -1,13 +1,17 @@
 #include "keiko/import/cad/step_losses.h"
 
+#include "keiko/import/cad/offset_bases.h"
 #include "keiko/import/cad/step_items.h"
+#include "keiko/import/cad/surface_patches.h"
 
+#include <BRep_Tool.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepBasic_ProductDefinitionRelationship.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepData_UndefinedEntity.hxx>
+#include <StepGeom_OffsetSurface.hxx>
 #include <StepGeom_Surface.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_ProductDefinitionShape.hxx>
@@ -23,13 +27,16 @@
 #include <StepShape_ShapeDefinitionRepresentation.hxx>
 #include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_VertexLoop.hxx>
+#include <StepToGeom.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 
+#include <cmath>
 #include <set>
 #include <unordered_set>
 #include <utility>
@@ -133,9 +140,11 @@ private:
     void take(const FaceEntity& face) {
         const TopoDS_Shape shape = shape_of(face);
         if (is_present(face)) {
-            if (std::string lost = lost_bound(face); !lost.empty())
-                for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
-                    document_.lost_trims.emplace(e.Current().TShape().get(), lost);
+            std::string lost = lost_bound(face);
+            if (lost.empty()) lost = smoothed_offset(face, shape);
+            if (lost.empty()) return;
+            for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
+                document_.misread.emplace(e.Current().TShape().get(), lost);
         } else if (walk_.holds.count(face.get()) > 0) {
             lose(face, shape.IsNull() ? "gave no face" + on_surface(face)
                                       : "is in no part that is placed");
@@ -165,6 +174,26 @@ private:
                 return "bound " + (bound.IsNull() ? std::to_string(i) : label(bound)) + " " + lost;
         }
         return "";
+    }
+
+    /// How the offset surface of a face differs from the file's; empty if it does not.
+    std::string smoothed_offset(const FaceEntity& face, const TopoDS_Shape& shape) const {
+        const auto stated =
+            opencascade::handle<StepGeom_OffsetSurface>::DownCast(face->FaceGeometry());
+        TopExp_Explorer first(shape, TopAbs_FACE);
+        if (stated.IsNull() || !first.More()) return "";
+        const auto read = opencascade::handle<Geom_OffsetSurface>::DownCast(
+            untrimmed(BRep_Tool::Surface(TopoDS::Face(first.Current()))));
+        const auto base = StepToGeom::MakeSurface(stated->BasisSurface());
+        if (read.IsNull() || base.IsNull()) return "";
+        // The unit of the last shape that was read need not be that of this face: what is measured
+        // is read again.
+        const auto again =
+            opencascade::handle<Geom_OffsetSurface>::DownCast(StepToGeom::MakeSurface(stated));
+        if (again.IsNull() || again->Offset() == 0) return "";
+        const double error =
+            offset_error(*again, base) * std::abs(read->Offset() / again->Offset());
+        return error > offset_tolerance ? smoothed_by(label(stated), error) : "";
     }
 
     /// A vertex loop bounds nothing.

@@ -16,8 +16,9 @@ using EntityLines = std::unordered_map<std::uint64_t, std::uint32_t>;
 ///
 /// Lost faces are those below a shape representation that are in no part. Shells and solids that
 /// hold no face count as one, and the faces of a product whose occurrence is not placed are lost
-/// too. Faces with a bound that was not translated go to CadDocument::lost_trims. A remark counts
-/// the faces that gave no shape and that no shape representation refers to: they are no material.
+/// too. Faces with a bound that was not translated, or with an offset surface whose base was made
+/// smooth, go to CadDocument::misread. A remark counts the faces that gave no shape and that no
+/// shape representation refers to: they are no material.
 void note_step_losses(const opencascade::handle<XSControl_WorkSession>& session,
                       const EntityLines& lines, CadDocument& document);
 

@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/import/cad/curve_spans.h"
 
+#include <Geom_BSplineCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <Geom_BezierSurface.hxx>
 #include <Geom_ConicalSurface.hxx>
@@ -14,7 +15,9 @@
 #include <Geom_SphericalSurface.hxx>
 #include <Geom_SurfaceOfLinearExtrusion.hxx>
 #include <Geom_SurfaceOfRevolution.hxx>
+#include <Geom_SweptSurface.hxx>
 #include <Geom_ToroidalSurface.hxx>
+#include <Geom_TrimmedCurve.hxx>
 #include <Precision.hxx>
 
 #include <cmath>
@@ -103,20 +106,34 @@ SurfacePatches extrusion(const Geom_SurfaceOfLinearExtrusion& s, const Box2& dom
             profile.approximated};
 }
 
+/// The knots of a spline along u or v, or of the spline that is swept along the other; else none.
+std::vector<double> knots(const SurfaceHandle& surface, bool along_u) {
+    std::vector<double> result;
+    if (const auto spline = as<Geom_BSplineSurface>(surface))
+        for (int i = 1; i <= (along_u ? spline->NbUKnots() : spline->NbVKnots()); ++i)
+            result.push_back(along_u ? spline->UKnot(i) : spline->VKnot(i));
+    const auto swept = as<Geom_SweptSurface>(surface);
+    const bool is_profile = along_u != surface->IsKind(STANDARD_TYPE(Geom_SurfaceOfRevolution));
+    if (swept.IsNull() || !is_profile) return result;
+    opencascade::handle<Geom_Curve> curve = swept->BasisCurve();
+    while (const auto trimmed = opencascade::handle<Geom_TrimmedCurve>::DownCast(curve))
+        curve = trimmed->BasisCurve();
+    if (const auto spline = opencascade::handle<Geom_BSplineCurve>::DownCast(curve))
+        for (int i = 1; i <= spline->NbKnots(); ++i) result.push_back(spline->Knot(i));
+    return result;
+}
+
 /// Parameters inside [begin, end] where a spline or swept surface may be less than smooth, with
 /// both ends.
 std::vector<double> cuts(const SurfaceHandle& surface, bool along_u, double begin, double end) {
     std::vector<double> result{begin};
     const double period = along_u ? periods(*surface).x : periods(*surface).y;
-    if (const auto spline = as<Geom_BSplineSurface>(surface)) {
-        const int count = along_u ? spline->NbUKnots() : spline->NbVKnots();
-        for (int turn = period > 0 ? -2 : 0; turn <= (period > 0 ? 2 : 0); ++turn)
-            for (int i = 1; i <= count; ++i) {
-                const double knot = (along_u ? spline->UKnot(i) : spline->VKnot(i)) + turn * period;
-                const double slack = 1e-9 * (end - begin);
-                if (knot > result.back() + slack && knot < end - slack) result.push_back(knot);
-            }
-    }
+    const std::vector<double> of_one_turn = knots(surface, along_u);
+    for (int turn = period > 0 ? -2 : 0; turn <= (period > 0 ? 2 : 0); ++turn)
+        for (const double at : of_one_turn) {
+            const double knot = at + turn * period, slack = 1e-9 * (end - begin);
+            if (knot > result.back() + slack && knot < end - slack) result.push_back(knot);
+        }
     result.push_back(end);
     return result;
 }

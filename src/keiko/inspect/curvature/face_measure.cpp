@@ -1,6 +1,7 @@
 #include "keiko/inspect/curvature/face_measure.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/inspect/basics/approximation_error.h"
 #include "keiko/inspect/basics/placed_face.h"
 
 #include <algorithm>
@@ -9,8 +10,10 @@
 namespace keiko {
 namespace {
 
-/// 1 / the largest absolute curvature; the true radius is smaller by the bound at most.
-std::optional<MeasuredValue> smallest_radius(const FaceCurvature& c, std::optional<double> limit) {
+/// 1 / the largest absolute curvature; the true radius is smaller by the bound at most. `off`,
+/// 1/mm: what the curvatures of an approximation may be off either way.
+std::optional<MeasuredValue> smallest_radius(const FaceCurvature& c, double off,
+                                             std::optional<double> limit) {
     const CurvatureExtreme& k =
         std::abs(c.largest.value) > std::abs(c.smallest.value) ? c.largest : c.smallest;
     const double curvature = std::abs(k.value);
@@ -19,22 +22,28 @@ std::optional<MeasuredValue> smallest_radius(const FaceCurvature& c, std::option
     constexpr double flat = 1e-9; // of 1 / size: curvature of a plane by rounding
     if (!(std::max(curvature, most) * c.size > flat)) return std::nullopt;
     const double radius = 1 / std::max(curvature, flat / c.size);
-    MeasuredValue worst{
-        radius, radius - 1 / std::max(most, curvature), limit.value_or(0), k.place, Verdict::pass,
-        true};
+    MeasuredValue worst{radius,
+                        radius - 1 / (std::max(most, curvature) + off),
+                        limit.value_or(0),
+                        k.place,
+                        Verdict::pass,
+                        true};
     if (!limit) return worst;
     // A place of the found radius exists; only the bound may be too wide.
-    if (radius < *limit)
+    if (radius < *limit && (!(off > 0) || (curvature - off) * *limit > 1))
         worst.verdict = Verdict::fail;
     else if (radius - worst.bound < *limit)
         worst.verdict = Verdict::undecided;
     return worst;
 }
 
-bool stands_in(const SurfaceModel& model, std::uint32_t face) {
-    const auto of_face = [face](const IrregularPatch& patch) { return patch.face == face; };
-    return model.faces[face].approximated > 0 ||
-           std::any_of(model.irregular_patches.begin(), model.irregular_patches.end(), of_face);
+/// Counts what curvatures of an approximation may be off, 1/mm, in their bounds.
+void widen(FaceCurvature& c, double off) {
+    const double most = std::max(std::abs(c.largest.value), std::abs(c.smallest.value));
+    for (CurvatureExtreme* k : {&c.largest, &c.smallest, &c.largest_mean, &c.smallest_mean})
+        k->bound += off;
+    for (CurvatureExtreme* k : {&c.largest_gaussian, &c.smallest_gaussian})
+        k->bound += off * (2 * most + off);
 }
 
 MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::uint32_t index,
@@ -42,10 +51,20 @@ MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::ui
     MeasuredFace face;
     face.instance = instance, face.face = index, face.id = model.faces[index].id;
     face.name = placed_face_name(model, instance, index);
-    if (!stands_in(model, index)) face.curvature = face_curvature(model, instance, index);
-    if (face.curvature) face.radius = smallest_radius(*face.curvature, limits.minimum_radius);
+    if (has_irregular_patch(model, index)) return face;
+    const double off =
+        approximation_error(model, index, scale_of(model.instances[instance])).curvature;
+    // What an approximation is off makes closer bounds worth little.
+    constexpr std::size_t most_splits = 5000, most_approximated = 500;
+    face.curvature =
+        face_curvature(model, instance, index, off > 0 ? most_approximated : most_splits);
+    if (!face.curvature) return face;
+    face.radius = smallest_radius(*face.curvature, off, limits.minimum_radius);
     if (face.radius) face.verdict = face.radius->verdict;
-    if (face.curvature) face.inflections = inflection_curves(model, instance, index);
+    if (off > 0)
+        widen(*face.curvature, off);
+    else
+        face.inflections = inflection_curves(model, instance, index);
     return face;
 }
 

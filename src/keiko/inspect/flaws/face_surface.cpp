@@ -78,6 +78,21 @@ FaceSurface::FaceSurface(const SurfaceModel& model, std::uint32_t instance, std:
                index_of(begins_u_, corners[i].x)] = i;
 }
 
+bool FaceSurface::is_grid() const {
+    return std::find(table_.begin(), table_.end(), no_index) == table_.end();
+}
+
+double FaceSurface::size() const {
+    Box3 box;
+    for (const PlacedPatch& patch : patches_) {
+        const BezierPatchView original = model_.patch(patch.index);
+        const BezierPatchView view{original.degree_u, original.degree_v, patch.points};
+        for (const Vec2& corner : {Vec2(0, 0), Vec2(0, 1), Vec2(1, 0), Vec2(1, 1)})
+            box.extend(keiko::evaluate(view, corner, 0).position() + patch.middle);
+    }
+    return box.size();
+}
+
 std::uint32_t FaceSurface::patch_at(const Vec2& place, Vec2& uv) const {
     constexpr double beyond = 0.25;
     const auto columns = static_cast<double>(spans_u()), rows = static_cast<double>(spans_v());

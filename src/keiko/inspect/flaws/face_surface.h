@@ -42,6 +42,11 @@ public:
     /// curvatures are rounding (reliable_curvatures).
     std::optional<Vec3> normal(const SurfaceDerivatives& there) const;
 
+    /// True if its patches are the cells of a grid, each of them one: a flaw search passes over
+    /// what is no such patch.
+    bool is_grid() const;
+    /// mm, world: about the diagonal of a box around it, by the corners of its patches.
+    double size() const;
     /// Number of knot spans along u.
     std::size_t spans_u() const { return begins_u_.size(); }
     /// Number of knot spans along v.

@@ -1,6 +1,8 @@
 #include "keiko/inspect/flaws/flaw_search.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/inspect/basics/approximation_error.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/flaws/dent_depth.h"
 #include "keiko/inspect/flaws/face_ripples.h"
 #include "keiko/inspect/flaws/wave_section.h"
@@ -205,20 +207,44 @@ std::vector<PlacedFlaw> flaws_in_window(const FaceAdjacency& faces,
     return flaws;
 }
 
-/// A face that is too large to be searched.
-std::optional<PlacedFlaw> unsearched(const FaceAdjacency& faces, std::size_t face,
-                                     const WavinessLimit& limit) {
+/// The placed faces that FaceAdjacency numbers.
+std::vector<PlacedFace> faces_with_patches(const SurfaceModel& model) {
+    std::vector<PlacedFace> faces = placed_faces(model);
+    std::erase_if(faces, [&](const PlacedFace& f) { return model.faces[f.face].patch_count == 0; });
+    return faces;
+}
+
+/// mm by which a height over the surroundings may be off on a face that approximates one of the
+/// file: both are.
+double height_error(const SurfaceModel& model, const PlacedFace& face) {
+    const double scale = scale_of(model.instances[face.instance]);
+    return 2 * approximation_error(model, face.face, scale).position;
+}
+
+/// True if what a face is off its file hides flaws of the limit, or makes patches of several sizes.
+bool is_rough(double error, const FaceSurface& surface, const WavinessLimit& limit) {
+    constexpr double most = 0.25; // of the limit: flaws are found from half of it on
+    return error > 0 && (error > most * limit.depth || !surface.is_grid());
+}
+
+/// A face that is not searched, and whether for what it approximates or for its size.
+PlacedFlaw unsearched(const FaceAdjacency& faces, std::size_t face, const WavinessLimit& limit,
+                      Flaw::Kind kind) {
     const FaceSurface& surface = faces.face(face);
-    if (is_searchable(surface, limit)) return std::nullopt;
-    double length = 0, width = 0;
-    for (const double span : surface.span_lengths_u()) length += span;
-    for (const double span : surface.span_lengths_v()) width += span;
     const Vec2 spans(static_cast<double>(surface.spans_u()),
                      static_cast<double>(surface.spans_v()));
     const auto place = surface.evaluate_beyond(spans / 2, 0);
     const MeasuredValue none{
         0, 0, limit.depth, place ? place->position() : Vec3(0), Verdict::undecided, false};
-    return PlacedFlaw{{Flaw::Kind::unsearched, none, std::max(length, width), limit.window}, face};
+    return {{kind, none, surface.size(), limit.window}, face};
+}
+
+/// Counts the error of an approximation in.
+void widen(MeasuredValue& depth, double error) {
+    if (!(error > 0)) return;
+    depth.bound += error;
+    if (depth.verdict != Verdict::undecided)
+        depth.verdict = judge(depth.value, depth.bound, depth.limit);
 }
 
 /// True if a flaw of a wider window appears in a narrower one too, anywhere on it. A far deeper
@@ -256,18 +282,25 @@ void add(std::vector<PlacedFlaw>& flaws, const PlacedFlaw& wider) {
 
 std::vector<std::vector<Flaw>> find_flaws(const SurfaceModel& model,
                                           std::span<const MeasuredSeam> seams,
-                                          std::span<const Seam> pieces,
-                                          const std::vector<bool>& searched,
+                                          std::span<const Seam> pieces, std::vector<bool> searched,
                                           std::span<const WavinessLimit> limits, const Job& job) {
     const FaceAdjacency faces(model, seams, pieces, limits.front().window / 20);
-    std::vector<PlacedFlaw> placed;
+    const std::vector<PlacedFace> origin = faces_with_patches(model);
+    std::vector<PlacedFlaw> placed, unknown;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        if (!searched[i]) continue;
+        const bool rough = is_rough(height_error(model, origin[i]), faces.face(i), limits.front());
+        if (!rough && is_searchable(faces.face(i), limits.front())) continue;
+        unknown.push_back(unsearched(faces, i, limits.front(),
+                                     rough ? Flaw::Kind::rough : Flaw::Kind::unsearched));
+        if (rough) searched[i] = false;
+    }
     for (const WavinessLimit& limit : limits)
         for (const PlacedFlaw& flaw : flaws_in_window(faces, searched, limit, job))
             add(placed, flaw);
     std::vector<std::vector<Flaw>> flaws(faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        if (const auto none = searched[i] ? unsearched(faces, i, limits.front()) : std::nullopt)
-            placed.push_back(*none);
+    for (PlacedFlaw& flaw : placed) widen(flaw.flaw.depth, height_error(model, origin[flaw.face]));
+    placed.insert(placed.end(), unknown.begin(), unknown.end());
     for (const PlacedFlaw& flaw : placed) flaws[flaw.face].push_back(flaw.flaw);
     for (std::vector<Flaw>& of_face : flaws)
         std::stable_sort(of_face.begin(), of_face.end(), [](const Flaw& a, const Flaw& b) {

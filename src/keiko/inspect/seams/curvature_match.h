@@ -23,6 +23,17 @@ inline double curvature_mismatch(CurvatureFormula formula, double k1, double k2,
     return base > 0 ? change / base : 0;
 }
 
+/// How far the mismatch of two curvatures may be off where their difference is, by `change` 1/mm.
+inline double curvature_mismatch_error(CurvatureFormula formula, double k1, double k2,
+                                       double flat_radius, double change) {
+    if (!(change > 0)) return 0;
+    const double flat = (formula == CurvatureFormula::alias ? 2 : 1) / flat_radius;
+    const double base = formula == CurvatureFormula::alias ? std::abs(k1) + std::abs(k2)
+                                                           : std::max(std::abs(k1), std::abs(k2));
+    const double mismatch = curvature_mismatch(formula, k1, k2, flat_radius);
+    return (1 + mismatch) * change / std::max({base - change, flat, 1e-300});
+}
+
 /// "alias", "catia"
 constexpr std::string_view name_of(CurvatureFormula formula) {
     return formula == CurvatureFormula::alias ? "alias" : "catia";
@@ -40,6 +51,15 @@ constexpr std::string_view formula_text(CurvatureFormula formula) {
 inline double slope_angle(double k1, double slope1, double k2, double slope2) {
     const double first = std::atan2(slope1, k1 * k1), second = std::atan2(slope2, k2 * k2);
     return radians_to_degrees(std::abs(first - second));
+}
+
+/// Degrees by which slope_angle may be off where the curvatures are, together, by `k` 1/mm and
+/// their slopes by `slope` 1/mm2.
+inline double slope_angle_error(double k1, double k2, double k, double slope) {
+    if (!(k > 0) && !(slope > 0)) return 0;
+    const double least = std::max(std::min(std::abs(k1), std::abs(k2)) - k, 0.0);
+    if (!(least > 0)) return 180;
+    return std::min(180.0, radians_to_degrees(k / least + slope / (least * least)));
 }
 
 } // namespace keiko

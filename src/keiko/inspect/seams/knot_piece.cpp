@@ -1,6 +1,7 @@
 #include "keiko/inspect/seams/knot_piece.h"
 
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/approximation_error.h"
 #include "keiko/inspect/seams/curvature_match.h"
 
 #include <algorithm>
@@ -9,6 +10,15 @@
 
 namespace keiko {
 namespace {
+
+/// Degrees, and 1/mm: what breaks by less does so by the digits of a file.
+constexpr double least_angle = 1e-4, least_change = 2e-7;
+
+/// True if the face approximates one of the file too roughly to show a break of its own size.
+bool hides_breaks(const KnottedFace& face) {
+    const ApproximationError error = approximation_error(face.model(), face.index());
+    return error.angle > least_angle || error.curvature > least_change;
+}
 
 /// A far side of a patch, where another one may follow.
 struct FarSide {
@@ -123,19 +133,20 @@ SeamProbe KnottedFace::probe(const KnotPiece& piece, const Affine& placed,
 }
 
 bool breaks_at(const SeamPoint& p) {
-    constexpr double gap = 1e-4, angle = 1e-4, share = 1e-3, change = 2e-7;
-    constexpr double unlimited_radius = HUGE_VAL; // mm: `change` identifies flat sides
+    constexpr double gap = 1e-4, share = 1e-3;
+    constexpr double unlimited_radius = HUGE_VAL; // mm: `least_change` identifies flat sides
     if (p.gap > gap) return true;
     if (!p.angle) return false;
-    return *p.angle > angle || (std::abs(p.curvature_a - p.curvature_b) > change &&
-                                curvature_mismatch(CurvatureFormula::catia, p.curvature_a,
-                                                   p.curvature_b, unlimited_radius) > share);
+    return *p.angle > least_angle || (std::abs(p.curvature_a - p.curvature_b) > least_change &&
+                                      curvature_mismatch(CurvatureFormula::catia, p.curvature_a,
+                                                         p.curvature_b, unlimited_radius) > share);
 }
 
 BrokenKnots broken_knots(const KnottedFace& face) {
     constexpr double closed = 1e-4; // mm
     const auto gapes = [](const SeamPoint& p) { return p.gap > closed; };
     const Box2 domain = face.domain();
+    const bool rough = hides_breaks(face);
     BrokenKnots knots;
     for (std::uint32_t k = 0; k < face.face().patch_count; ++k)
         for (const FarSide& side : far_sides(face.model(), face.face().first_patch + k)) {
@@ -143,7 +154,7 @@ BrokenKnots broken_knots(const KnottedFace& face) {
             const bool at_end = piece.at >= (piece.constant_u ? domain.upper.x : domain.upper.y);
             if (at_end || !(piece.end > piece.begin)) continue;
             const std::vector<SeamPoint> points = places(face, side);
-            if (std::none_of(points.begin(), points.end(), breaks_at)) continue;
+            if (!rough && std::none_of(points.begin(), points.end(), breaks_at)) continue;
             knots.pieces.push_back(piece);
             if (std::any_of(points.begin(), points.end(), gapes)) knots.torn.push_back(piece);
         }

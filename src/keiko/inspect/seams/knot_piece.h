@@ -98,6 +98,7 @@ struct BrokenKnots {
 /// Broken sides of a face. Each side is tested at 4 n places, n the degree along it. The tangents
 /// on either side and the one along it span a volume of degree 4 n - 1: no kink is 0 at all of the
 /// places and not in between. A break of the curvatures alone may be missed.
+/// Of a face whose approximation may hide a break all inner sides count.
 BrokenKnots broken_knots(const KnottedFace& face);
 
 /// The lines that remain of pieces within the trims of a face: every stretch in the material,

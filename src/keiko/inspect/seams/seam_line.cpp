@@ -1,5 +1,7 @@
 #include "keiko/inspect/seams/seam_line.h"
 
+#include "keiko/inspect/basics/approximation_error.h"
+#include "keiko/inspect/seams/curvature_match.h"
 #include "keiko/inspect/seams/seam_quantities.h"
 
 #include <algorithm>
@@ -32,7 +34,8 @@ MeasuredValue worst(const SeamExtreme& extreme, double rounding, double limit) {
             judge_maximum(extreme.value, extreme.bound, rounding, limit)};
 }
 
-CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& preset) {
+CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& preset,
+                             const ApproximationError& off) {
     const SeamQuantities quantities(preset);
     const SeamPoint& p = extreme.point;
     const auto [formula, limit] = quantities.curvature_limit();
@@ -44,21 +47,28 @@ CurvatureStep curvature_step(const SeamExtreme& extreme, const CriteriaPreset& p
                        .catia = quantities.mismatch(CurvatureFormula::catia, p),
                        .flat = quantities.is_floored(p),
                        .worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass}};
+    const double error = curvature_mismatch_error(formula, p.curvature_a, p.curvature_b,
+                                                  preset.flat_radius, off.curvature);
+    step.worst.bound += error;
     if (preset.curvature)
-        step.worst.verdict = judge_maximum(extreme.value, extreme.bound, mismatch_rounding, limit);
+        step.worst.verdict =
+            judge_maximum(extreme.value, extreme.bound, mismatch_rounding + error, limit);
     return step;
 }
 
-CurvatureSlopeStep slope_step(const SeamExtreme& extreme, const CriteriaPreset& preset) {
+CurvatureSlopeStep slope_step(const SeamExtreme& extreme, const CriteriaPreset& preset,
+                              const ApproximationError& off) {
     const SeamPoint& p = extreme.point;
     CurvatureSlopeStep step{.slope_a = p.slope_a,
                             .slope_b = p.slope_b,
                             .change = std::abs(p.slope_a - p.slope_b),
                             .worst = {}};
     const double limit = preset.curvature_slope.value_or(unjudged_slope);
-    step.worst = {extreme.value, extreme.bound, limit, p.place, Verdict::pass};
+    const double error =
+        slope_angle_error(p.curvature_a, p.curvature_b, off.curvature, off.curvature_slope);
+    step.worst = {extreme.value, extreme.bound + error, limit, p.place, Verdict::pass};
     if (preset.curvature_slope)
-        step.worst.verdict = judge_maximum(extreme.value, extreme.bound, 0, limit);
+        step.worst.verdict = judge_maximum(extreme.value, extreme.bound, error, limit);
     return step;
 }
 
@@ -67,13 +77,14 @@ void take(MeasuredSeam& seam, const MeasuredValue& worst) {
     seam.severity = std::max(seam.severity, share_of_limit(worst));
 }
 
-void judge_smooth(MeasuredSeam& seam, const StretchExtremes& found, const CriteriaPreset& preset) {
+void judge_smooth(MeasuredSeam& seam, const StretchExtremes& found, const CriteriaPreset& preset,
+                  const ApproximationError& off) {
     take(seam, *seam.angle);
     if (seam.verdict != Verdict::pass || !found.curvature) return;
-    seam.curvature = curvature_step(*found.curvature, preset);
+    seam.curvature = curvature_step(*found.curvature, preset, off);
     if (preset.curvature) take(seam, seam.curvature->worst);
     if (seam.verdict != Verdict::pass || !found.slope) return;
-    seam.slope = slope_step(*found.slope, preset);
+    seam.slope = slope_step(*found.slope, preset, off);
     if (preset.curvature_slope) take(seam, seam.slope->worst);
 }
 
@@ -114,17 +125,23 @@ void judge_gap(MeasuredSeam& seam, const SeamExtreme& gap, double error, double 
 
 /// Judges the angle and the quantities derived from it by the rules of the class.
 void judge_angle(MeasuredSeam& seam, const StretchExtremes& found, const SeamStretch& stretch,
-                 const CriteriaPreset& preset) {
-    seam.angle = worst(*found.angle, angle_rounding, preset.angle);
+                 const CriteriaPreset& preset, const ApproximationError& off) {
+    seam.angle = worst(*found.angle, angle_rounding + off.angle, preset.angle);
     seam.smallest_angle = -found.negated_angle->value;
     if (stretch.unknown) {
         seam.angle->verdict = std::max(seam.angle->verdict, Verdict::undecided);
         take(seam, *seam.angle);
     }
-    if (stretch.kind == SeamClass::smooth) judge_smooth(seam, found, preset);
+    if (stretch.kind == SeamClass::smooth) judge_smooth(seam, found, preset, off);
     if (stretch.kind == SeamClass::fold) take(seam, *seam.angle);
     seam.fading = stretch.fading;
     if (seam.fading) take(seam, *seam.fading);
+}
+
+/// The error of the differences between both sides.
+ApproximationError error_of(const SurfaceModel& model, const SeamLine& line) {
+    return approximation_error(model, line.face_a, scale_of(model.instances[line.instance_a])) +
+           approximation_error(model, line.face_b, scale_of(model.instances[line.instance_b]));
 }
 
 MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
@@ -139,7 +156,7 @@ MeasuredSeam measure_stretch(const SurfaceModel& model, const SeamLine& line,
     judge_gap(seam, *found.gap,
               position_error(model, line.face_a, line.face_b, found.gap->point.place), preset.gap);
     if (found.angle)
-        judge_angle(seam, found, stretch, preset);
+        judge_angle(seam, found, stretch, preset, error_of(model, line));
     else if (stretch.length > same_place)
         seam.verdict = std::max(seam.verdict, Verdict::undecided);
     return seam;

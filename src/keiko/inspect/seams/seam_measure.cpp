@@ -1,6 +1,7 @@
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/inspect/basics/approximation_error.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/seams/bend_pieces.h"
 #include "keiko/inspect/seams/knot_piece.h"
@@ -109,15 +110,6 @@ void excuse_scraps(const BoundaryCurves& curves, double join, MeasuredSeams& mea
         if (seam.scrap) seam.verdict = Verdict::pass, seam.severity = 0;
 }
 
-bool has_irregular_patch(const SurfaceModel& model, std::uint32_t face) {
-    const auto by_face = [](const IrregularPatch& patch, std::uint32_t f) {
-        return patch.face < f;
-    };
-    const auto found = std::lower_bound(model.irregular_patches.begin(),
-                                        model.irregular_patches.end(), face, by_face);
-    return found != model.irregular_patches.end() && found->face == face;
-}
-
 using KnotLine = std::vector<KnotPiece>;
 
 class FaceKnots {
@@ -134,7 +126,7 @@ public:
             if (index_ - part.first_face >= part.face_count) continue;
             const double size = sizes.of(i, index_);
             const StretchLimits limits = stretch_limits(size, size, preset, 0);
-            const double scale = std::cbrt(std::abs(model_.instances[i].transform.determinant()));
+            const double scale = scale_of(model_.instances[i]);
             for (const KnotLine& line : breaks) seams.push_back(measure(i, line, preset, limits));
             for (const KnotLine& line : bends_within(limits.negligible / scale))
                 seams.push_back(measure(i, line, preset, limits));
@@ -241,9 +233,8 @@ std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,
     const SurfaceModel& model = borders.model;
     std::vector<std::vector<std::vector<MeasuredSeam>>> by_face(model.faces.size());
     parallel_for(model.faces.size(), job, "knots", [&](std::size_t f) {
-        const Face& face = model.faces[f];
         const auto index = static_cast<std::uint32_t>(f);
-        if (face.approximated > 0 || has_irregular_patch(model, index)) return;
+        if (has_irregular_patch(model, index)) return;
         by_face[f] = FaceKnots(model, index).measured(preset, borders.sizes);
     });
     std::vector<MeasuredSeam> all;

@@ -119,9 +119,9 @@ std::size_t line_count(std::span<const MeasuredSeam> seams);
 /// less than G2, as knots of high multiplicity leave them. So are the lines across which a placed
 /// face bends within the preset's negligible length (bend_pieces). A line breaks above 1e-4 mm,
 /// 1e-4 degrees or, for its curvatures, 0.1 % and 2e-7 /mm of the unplaced face: digits of files
-/// cause less. Scraps are judged too, until measure_all_seams takes them out of it. Faces
-/// that approximate the file's, and those at irregular points of cages, are left out: they have
-/// knots of their own and none of the file's.
+/// cause less. In a face whose approximation may hide as much, all sides between patches count.
+/// Scraps are judged too, until measure_all_seams takes them out of it. Faces at irregular points
+/// of cages are left out: they have knots of their own and none of the file's.
 std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,
                                              const CriteriaPreset& preset, const Job& job = {});
 

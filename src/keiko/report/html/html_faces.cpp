@@ -42,7 +42,7 @@ std::string radius_cell(const MeasuredValue& radius) {
 std::string flaw_cell(const MeasuredFace& face) {
     if (face.flaws.empty()) return no_cell();
     const Flaw& flaw = face.flaws.front();
-    if (flaw.kind == Flaw::Kind::unsearched) return html_number_cell(0, "not searched", true);
+    if (!flaw.is_searched()) return html_number_cell(0, "not searched", true);
     const std::string more =
         face.flaws.size() > 1 ? " and " + std::to_string(face.flaws.size() - 1) + " more" : "";
     return html_number_cell(

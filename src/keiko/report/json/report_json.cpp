@@ -93,6 +93,7 @@ std::string_view name_of(Flaw::Kind kind) {
         case Flaw::Kind::waves:
             return "waves";
         case Flaw::Kind::unsearched:
+        case Flaw::Kind::rough:
             return "unsearched";
     }
     return "";
