@@ -70,7 +70,9 @@ class Check(KeikoTest):
         self.assertEqual(self.check(surface("hood.step"), "--preset", "engineering")[0], 0)
         hood = StepText(surface("hood.step"))
         face = hood.faces()[1]
-        self.assertRegex(lost("hood.step", hood.surface_of(face), 2), rf"\A#{face} in line \d+ gave no face\Z")
+        of = hood.surface_of(face)
+        self.assertRegex(lost("hood.step", of, 2),
+                         rf"\A#{face} in line \d+ gave no face; its surface is #{of} of kind UN\w+\Z")
         hole = StepText(surface("trimmed-two-holes.step"))
         bound = hole.references(hole.faces()[0])[1]
         edge = hole.references(hole.references(hole.references(bound)[0])[0])[-1]
