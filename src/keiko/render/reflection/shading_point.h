@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/base/units.h"
 #include "keiko/geometry/visibility/ray.h"
 #include "keiko/math/rgb.h"
 
@@ -20,8 +19,7 @@ struct SurfacePlace {
 };
 
 /// Square of the tangent of the angle between the normals of one smooth surface, 10 degrees.
-inline const double widest_bend =
-    std::tan(degrees_to_radians(10)) * std::tan(degrees_to_radians(10));
+constexpr double widest_bend = 0.17632698070846498 * 0.17632698070846498;
 
 /// True if neighbours in a picture show one smooth surface. They have the same paint and normals
 /// within 10 degrees, and are not both far from the other's tangent plane, as one surface in front
