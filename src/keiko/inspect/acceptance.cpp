@@ -1,8 +1,7 @@
 #include "keiko/inspect/acceptance.h"
 
-#include "keiko/geometry/model/closest_point.h"
+#include "keiko/inspect/seams/course_distance.h"
 
-#include <limits>
 #include <tuple>
 
 namespace keiko {
@@ -10,25 +9,6 @@ namespace {
 
 /// A finding that has grown by more than this is not the one that was accepted.
 constexpr double largest_growth = 1.1;
-
-/// Distance by which a course lies off its chords about point i: an eighth of its second
-/// difference.
-double sagitta_at(std::span<const Vec3> course, std::size_t i) {
-    if (i == 0 || i + 1 >= course.size()) return 0;
-    return (course[i - 1] - course[i] * 2 + course[i + 1]).length() / 8;
-}
-
-/// Distance of a point from the course of a stretch, mm.
-double distance_from_course(const MeasuredSeam& seam, const Vec3& place) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const std::vector<Vec3>& piece : seam.course)
-        for (std::size_t i = 0; i + 1 < piece.size(); ++i) {
-            const double sagitta = std::max(sagitta_at(piece, i), sagitta_at(piece, i + 1));
-            const double off = segment_distance(piece[i], piece[i + 1], place) - sagitta;
-            nearest = std::min(nearest, std::max(off, 0.0));
-        }
-    return nearest;
-}
 
 /// True if neither the value nor the worst that it may be has grown. Comparisons fail for NaN.
 bool has_kept(const MeasuredValue& now, double value, double bound) {

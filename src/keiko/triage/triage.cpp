@@ -1,6 +1,7 @@
 #include "keiko/triage/triage.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/inspect/seams/course_distance.h"
 #include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/math/disjoint_sets.h"
 #include "keiko/scene/symmetry.h"
@@ -47,14 +48,6 @@ struct Unit {
     Sight sight;
 };
 
-/// mm: distance of a place from the nearest known place of a stretch.
-double distance_to(const MeasuredSeam& seam, const Vec3& place) {
-    double nearest = HUGE_VAL;
-    for (const std::vector<Vec3>& piece : seam.course)
-        for (const Vec3& at : piece) nearest = std::min(nearest, (at - place).length());
-    return nearest;
-}
-
 /// Findings by what they are of.
 class UnitMaker {
 public:
@@ -88,7 +81,8 @@ private:
         for (Unit& unit : units_) {
             if (unit.seam == no_index || inspection_.seams[unit.seam].faces != check.faces)
                 continue;
-            const double own = distance_to(inspection_.seams[unit.seam], check.worst.place);
+            const double own =
+                distance_from_course(inspection_.seams[unit.seam], check.worst.place);
             if (!nearest || own < distance) nearest = &unit, distance = own;
         }
         if (nearest)

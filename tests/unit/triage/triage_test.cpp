@@ -213,6 +213,25 @@ TEST(Triage, LinesBelongToTheStretchThatTheyCross) {
         EXPECT_EQ(item.findings.size(), item.place.x < 200 ? 1u : 2u);
 }
 
+TEST(Triage, AStretchIsAsNearAsItsCourseIsNotItsPlaces) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 3000, 0.5);
+    bent_pair(builder, {1200, 120, 400}, 10, 0.4);
+    const SurfaceModel model = builder.build();
+    Inspection inspection = inspect(model);
+    ASSERT_EQ(inspection.seams.size(), 2u);
+    for (MeasuredSeam& seam : inspection.seams) {
+        seam.faces = "face 1 | face 2";
+        seam.course = {{seam.course.front().front(), seam.course.back().back()}};
+    }
+    Check line;
+    line.code = "KEIKO-LINE-TURN", line.faces = "face 1 | face 2";
+    line.worst.value = 0.4, line.worst.place = {1200, 0, 0};
+    inspection.findings.push_back(line);
+    for (const TriageItem& item : triage(model, Tracer(model), inspection, {}).items)
+        EXPECT_EQ(item.findings.size(), item.length > 1000 ? 2u : 1u);
+}
+
 TEST(Triage, EyesStandOnTheGround) {
     ModelBuilder builder;
     bent_pair(builder, {0, 0, 1000}, 400, 0.5);
