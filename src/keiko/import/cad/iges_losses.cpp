@@ -1,9 +1,8 @@
 #include "keiko/import/cad/iges_losses.h"
 
 #include "keiko/import/cad/offset_bases.h"
-#include "keiko/import/cad/surface_patches.h"
+#include "keiko/import/cad/read_faces.h"
 
-#include <BRep_Tool.hxx>
 #include <IGESData_IGESEntity.hxx>
 #include <IGESData_IGESModel.hxx>
 #include <IGESGeom_BoundedSurface.hxx>
@@ -16,9 +15,7 @@
 #include <Interface_InterfaceModel.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
 #include <TopoDS_Shape.hxx>
-#include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
@@ -28,7 +25,6 @@
 #include <iterator>
 #include <string>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace keiko::cad {
 
@@ -89,11 +85,8 @@ public:
     IgesLossReader(const Handle(XSControl_WorkSession) & session, CadDocument& document)
         : session_(session),
           process_(session->TransferReader()->TransientProcess()),
-          document_(document) {
-        for (const CadPart& part : document.parts)
-            for (TopExp_Explorer face(part.shape, TopAbs_FACE); face.More(); face.Next())
-                present_.insert(face.Current().TShape().get());
-    }
+          document_(document),
+          faces_(document) {}
 
     /// Looks for losses in all that the file places. OpenCASCADE's roots leave out what is of a
     /// type that it does not know.
@@ -150,15 +143,9 @@ private:
         return true;
     }
 
-    bool is_present(const TopoDS_Shape& shape) const {
-        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-            if (present_.count(face.Current().TShape().get()) > 0) return true;
-        return false;
-    }
-
     bool look_at_surface(const Entity& entity) {
         const TopoDS_Shape shape = shape_of(entity);
-        if (!is_present(shape)) {
+        if (!faces_.have_one_of(shape)) {
             lose(entity, shape.IsNull() ? "gave no face" : "is in no part that is placed");
             return true;
         }
@@ -170,18 +157,15 @@ private:
         else
             lost = smoothed_offset(surface_of(entity), shape);
         if (lost.empty()) return false;
-        for (TopExp_Explorer face(shape, TopAbs_FACE); face.More(); face.Next())
-            document_.misread.emplace(face.Current().TShape().get(), lost);
+        faces_.misread(shape, lost);
         return true;
     }
 
     /// How the offset surface of a face differs from the file's; empty if it does not.
     std::string smoothed_offset(const Entity& surface, const TopoDS_Shape& shape) const {
         const auto stated = Handle(IGESGeom_OffsetSurface)::DownCast(surface);
-        TopExp_Explorer face(shape, TopAbs_FACE);
-        if (stated.IsNull() || !face.More()) return "";
-        const auto read = Handle(Geom_OffsetSurface)::DownCast(
-            untrimmed(BRep_Tool::Surface(TopoDS::Face(face.Current()))));
+        if (stated.IsNull()) return "";
+        const auto read = offset_surface_of(shape);
         IGESToBRep_BasicSurface reader;
         reader.SetModel(Handle(IGESData_IGESModel)::DownCast(session_->Model()));
         const auto base = reader.TransferBasicSurface(stated->Surface());
@@ -204,7 +188,7 @@ private:
     Handle(XSControl_WorkSession) session_;
     Handle(Transfer_TransientProcess) process_;
     CadDocument& document_;
-    std::unordered_set<const TopoDS_TShape*> present_;          ///< faces of the parts
+    ReadFaces faces_;
     std::unordered_map<const Standard_Transient*, bool> lossy_; ///< look_into() of each
 };
 

@@ -2,8 +2,11 @@
 
 #include "keiko/import/cad/surface_patches.h"
 
+#include <BRep_Tool.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfReal.hxx>
+#include <TopExp_Explorer.hxx>
+#include <TopoDS.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
@@ -53,6 +56,13 @@ double offset_error(const Geom_OffsetSurface& read, const opencascade::handle<Ge
         for (const double v : places(stated->VKnots()))
             worst = std::max(worst, error_at(read, stated, u, v));
     return worst;
+}
+
+opencascade::handle<Geom_OffsetSurface> offset_surface_of(const TopoDS_Shape& shape) {
+    const TopExp_Explorer face(shape, TopAbs_FACE);
+    if (!face.More()) return {};
+    return opencascade::handle<Geom_OffsetSurface>::DownCast(
+        untrimmed(BRep_Tool::Surface(TopoDS::Face(face.Current()))));
 }
 
 std::string smoothed_by(const std::string& surface, double error) {

@@ -2,6 +2,7 @@
 
 #include <Geom_OffsetSurface.hxx>
 #include <Geom_Surface.hxx>
+#include <TopoDS_Shape.hxx>
 
 #include <string>
 
@@ -12,6 +13,10 @@ namespace keiko::cad {
 /// offsets it, and keeps the smooth one alone. Measured on a grid over each knot span of the base,
 /// up to its knots from both sides; 0 where the base is as the file has it.
 double offset_error(const Geom_OffsetSurface& read, const opencascade::handle<Geom_Surface>& base);
+
+/// The offset surface of a shape's first face, without its own bounds; null for another surface and
+/// for a shape without faces.
+opencascade::handle<Geom_OffsetSurface> offset_surface_of(const TopoDS_Shape& shape);
 
 /// mm: a larger error makes the face lost.
 constexpr double offset_tolerance = 1e-4;

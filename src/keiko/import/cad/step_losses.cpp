@@ -1,10 +1,9 @@
 #include "keiko/import/cad/step_losses.h"
 
 #include "keiko/import/cad/offset_bases.h"
+#include "keiko/import/cad/read_faces.h"
 #include "keiko/import/cad/step_items.h"
-#include "keiko/import/cad/surface_patches.h"
 
-#include <BRep_Tool.hxx>
 #include <Interface_EntityIterator.hxx>
 #include <Interface_Graph.hxx>
 #include <StepBasic_ProductDefinition.hxx>
@@ -30,15 +29,12 @@
 #include <StepToGeom.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopoDS.hxx>
-#include <TopoDS_TShape.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
 
 #include <cmath>
 #include <set>
-#include <unordered_set>
 #include <utility>
 
 namespace keiko::cad {
@@ -70,11 +66,8 @@ public:
           process_(session->TransferReader()->TransientProcess()),
           model_(opencascade::handle<StepData_StepModel>::DownCast(session->Model())),
           lines_(lines),
-          document_(document) {
-        for (const CadPart& part : document.parts)
-            for (TopExp_Explorer face(part.shape, TopAbs_FACE); face.More(); face.Next())
-                present_.insert(face.Current().TShape().get());
-    }
+          document_(document),
+          faces_(document) {}
 
     void read() {
         for (int i = 1; i <= model_->NbEntities(); ++i)
@@ -131,20 +124,12 @@ private:
         return TopExp_Explorer(shape_of(entity), TopAbs_FACE).More();
     }
 
-    bool is_present(const FaceEntity& face) const {
-        for (TopExp_Explorer e(shape_of(face), TopAbs_FACE); e.More(); e.Next())
-            if (present_.count(e.Current().TShape().get()) > 0) return true;
-        return false;
-    }
-
     void take(const FaceEntity& face) {
         const TopoDS_Shape shape = shape_of(face);
-        if (is_present(face)) {
+        if (faces_.have_one_of(shape)) {
             std::string lost = lost_bound(face);
             if (lost.empty()) lost = smoothed_offset(face, shape);
-            if (lost.empty()) return;
-            for (TopExp_Explorer e(shape, TopAbs_FACE); e.More(); e.Next())
-                document_.misread.emplace(e.Current().TShape().get(), lost);
+            if (!lost.empty()) faces_.misread(shape, lost);
         } else if (walk_.holds.count(face.get()) > 0) {
             lose(face, shape.IsNull() ? "gave no face" + on_surface(face)
                                       : "is in no part that is placed");
@@ -180,10 +165,8 @@ private:
     std::string smoothed_offset(const FaceEntity& face, const TopoDS_Shape& shape) const {
         const auto stated =
             opencascade::handle<StepGeom_OffsetSurface>::DownCast(face->FaceGeometry());
-        TopExp_Explorer first(shape, TopAbs_FACE);
-        if (stated.IsNull() || !first.More()) return "";
-        const auto read = opencascade::handle<Geom_OffsetSurface>::DownCast(
-            untrimmed(BRep_Tool::Surface(TopoDS::Face(first.Current()))));
+        if (stated.IsNull()) return "";
+        const auto read = offset_surface_of(shape);
         const auto base = StepToGeom::MakeSurface(stated->BasisSurface());
         if (read.IsNull() || base.IsNull()) return "";
         // The unit of the last shape that was read need not be that of this face: what is measured
@@ -309,7 +292,7 @@ private:
     opencascade::handle<StepData_StepModel> model_;
     const EntityLines& lines_;
     CadDocument& document_;
-    std::unordered_set<const TopoDS_TShape*> present_; ///< faces of the parts
+    ReadFaces faces_;
     StepWalk walk_;
     int unused_ = 0;
     std::string unused_labels_;
