@@ -103,8 +103,8 @@ std::vector<Check> checks_at_borders(const ModelBorders& borders,
     for (const Opening& opening : all_openings(borders, edges, pieces, small, job))
         checks.add(opening.sides[0],
                    check_of_opening(opening, preset, checks.names(opening.sides)));
-    for (const Opening& groove : grooves(borders, seams, pieces, small, preset.feature_angle))
-        checks.add(groove.sides[0], check_of_opening(groove, preset, checks.names(groove.sides)));
+    for (const Groove& groove : grooves(borders, seams, pieces, small, preset))
+        checks.add(groove.sides[0], check_of_groove(groove, preset, checks.names(groove.sides)));
     for (const Overlap& overlap :
          all_overlaps(borders, edges, pieces, {join, preset.negligible}, job))
         checks.add(overlap.sides[0],

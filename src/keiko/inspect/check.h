@@ -14,6 +14,7 @@ namespace KEIKO_API keiko {
 
 struct NarrowBend;
 struct NarrowFace;
+struct Groove;
 struct Opening;
 struct Overlap;
 
@@ -93,6 +94,10 @@ Check check_of_narrow(const NarrowFace& narrow, double join, const std::string& 
 /// names of its sides. Without face.
 Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
                        const std::string& faces);
+
+/// KEIKO-OPENING: a groove that is wider than the preset's gap deserves a look. Else G-SU-NT: the
+/// kink between its two faces does. `faces`: their names. Without face.
+Check check_of_groove(const Groove& groove, const CriteriaPreset& preset, const std::string& faces);
 
 /// KEIKO-OVERLAP, KEIKO-TEE or KEIKO-CROSSING: a run of a free edge on the inside of another face.
 /// It deserves a look if it is longer than the preset's negligible length or passes through that

@@ -1,6 +1,6 @@
 #include "keiko/inspect/check_sentence.h"
 #include "keiko/inspect/flaws/narrow_bends.h"
-#include "keiko/inspect/openings/opening.h"
+#include "keiko/inspect/openings/grooves.h"
 #include "keiko/inspect/overlaps/overlap.h"
 #include "keiko/inspect/seams/narrow_faces.h"
 
@@ -88,12 +88,27 @@ Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
                        const std::string& faces) {
     MeasuredValue worst{opening.width, opening.width_bound, preset.gap, opening.place};
     worst.verdict = judge(worst.value, worst.bound, worst.limit);
-    Check check = judged_check(
-        "KEIKO-OPENING", "mm", worst,
-        {opening.is_groove ? "the groove between creases" : "the opening between free edges",
-         " mm"});
+    Check check =
+        judged_check("KEIKO-OPENING", "mm", worst, {"the opening between free edges", " mm"});
     check.message += opening.goes_on ? ", more than " : ", some ";
     check.message += short_number(opening.length) + " mm long";
+    check.severity = Check::Severity::look;
+    check.faces = faces;
+    return check;
+}
+
+Check check_of_groove(const Groove& groove, const CriteriaPreset& preset,
+                      const std::string& faces) {
+    const bool is_gap = groove.width > preset.gap;
+    const MeasuredValue worst{is_gap ? groove.width : groove.turn, 0,
+                              is_gap ? preset.gap : preset.angle, groove.place, Verdict::fail};
+    Check check =
+        is_gap ? judged_check("KEIKO-OPENING", "mm", worst, {"the groove between creases", " mm"})
+               : judged_check("G-SU-NT", "deg", worst,
+                              {"the kink between faces with a crease each", " degrees"});
+    check.message += ", some " + short_number(groove.length) + " mm long; the faces ";
+    check.message += is_gap ? "turn by " + short_number(groove.turn) + " degrees"
+                            : "are " + short_number(groove.width) + " mm apart";
     check.severity = Check::Severity::look;
     check.faces = faces;
     return check;

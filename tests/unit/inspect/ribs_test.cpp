@@ -1,14 +1,11 @@
-// Panels with a rib below their seam, or with a flange each.
+// Panels with a rib below their seam.
 #include "keiko/base/units.h"
-#include "keiko/inspect/inspection.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 namespace keiko {
 namespace {
@@ -47,53 +44,6 @@ TEST(Ribs, HideNeitherKinkNorGapOfThePanelsAboveThem) {
                 ASSERT_TRUE(seam.angle.has_value());
                 EXPECT_NEAR(seam.angle->value, degrees, 1e-9);
             }
-}
-
-/// Two panels, `gap` mm apart and a step of `step` mm, the second turned by an angle. Flanges lead
-/// down from both, splayed apart by `splay` mm over 50 mm each.
-SurfaceModel flanged(double gap, double step, double degrees, double splay) {
-    test::ModelBuilder builder;
-    const double angle = degrees_to_radians(degrees);
-    builder.plane({-100, 0, 0}, {100, 0, 0}, {0, 200, 0});
-    builder.plane({gap, 0, step}, {100 * std::cos(angle), 0, 100 * std::sin(angle)}, {0, 200, 0});
-    builder.plane({0, 0, 0}, {-splay, 0, -50}, {0, 200, 0});
-    builder.plane({gap, 0, step}, {splay, 0, -50}, {0, 200, 0});
-    return builder.build();
-}
-
-/// Number of openings that are worth a look between the panels.
-std::ptrdiff_t openings_of(const SurfaceModel& model, double width) {
-    const Inspection inspection = inspect(model);
-    EXPECT_EQ(inspection.verdict, Verdict::pass);
-    return std::count_if(inspection.looks.begin(), inspection.looks.end(), [&](const Check& look) {
-        return look.code == "KEIKO-OPENING" && look.faces == "face 1 | face 2" &&
-               std::abs(look.worst.value - width) < 1e-9;
-    });
-}
-
-TEST(Ribs, OfEitherPanelLeaveAGrooveThatIsWorthALook) {
-    for (const double gap : {0.012, 0.02, 0.1, 0.4})
-        for (const double step : {0.0, -0.3})
-            for (const double degrees : {0.0, 3.0})
-                EXPECT_EQ(openings_of(flanged(gap, step, degrees, 20), std::hypot(gap, step)), 1)
-                    << gap << ' ' << step << ' ' << degrees;
-    EXPECT_EQ(openings_of(flanged(0.009, 0, 0, 20), 0.009), 0); // no wider than a gap may be
-    EXPECT_EQ(openings_of(flanged(0.4, 0, 30, 20), 0.4), 0); // they would not continue each other
-    EXPECT_EQ(openings_of(flanged(0.6, 0, 0, 20), 0.6), 0);  // beyond the join distance
-}
-
-TEST(Ribs, AreNoneWhereAStripClosesTheGap) {
-    test::ModelBuilder builder;
-    builder.plane({-100, 0, 0}, {100, 0, 0}, {0, 200, 0});
-    builder.plane({0, 0, 0}, {0.1, 0, -0.3}, {0, 200, 0});
-    builder.plane({0.1, 0, -0.3}, {100, 0, 0}, {0, 200, 0});
-    EXPECT_EQ(openings_of(builder.build(), std::hypot(0.1, 0.3)), 0);
-    test::ModelBuilder bead; // of two faces
-    bead.plane({-100, 0, 0}, {100, 0, 0}, {0, 200, 0});
-    bead.plane({0, 0, 0}, {0.15, 0, 0.2}, {0, 200, 0});
-    bead.plane({0.15, 0, 0.2}, {0.15, 0, -0.2}, {0, 200, 0});
-    bead.plane({0.3, 0, 0}, {100, 0, 0}, {0, 200, 0});
-    EXPECT_EQ(openings_of(bead.build(), 0.3), 0);
 }
 
 } // namespace

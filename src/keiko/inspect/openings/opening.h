@@ -19,7 +19,6 @@ struct Opening {
     double width_bound = 0; ///< mm, error of the width
     double length = 0;      ///< mm along either side, as far as it was followed
     bool goes_on = false;   ///< it continues beyond that length
-    bool is_groove = false; ///< between creases, else between free edges
     Vec3 place{0};          ///< world, mm: the middle of the gap, or of the hole
 };
 
