@@ -200,20 +200,20 @@ std::vector<IntervalSet> EpipolarShadows::Planes::intervals(
                                           : SegmentPlane::through(viewpoint_, ends.a, ends.b));
     Pieces pieces;
     IntervalClasses groups;
-    std::vector<std::size_t> first_gap;
+    std::vector<std::size_t> first_interval;
     std::vector<VisibilityEvent> events;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        first_gap.push_back(groups.size());
+        first_interval.push_back(groups.size());
         if (!planes[i]) continue;
         events.clear();
         find_events(*planes[i], pieces, events);
         groups.add(*planes[i], event_intervals(events, {0, 1}));
     }
-    first_gap.push_back(groups.size());
+    first_interval.push_back(groups.size());
     groups.classify(tracer_);
     std::vector<IntervalSet> seen;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const std::size_t first = first_gap[i], count = first_gap[i + 1] - first;
+        const std::size_t first = first_interval[i], count = first_interval[i + 1] - first;
         // Towards the light, with nothing across it, a segment is seen as its middle is.
         const auto whole = [&] { return sees((segments[i].a + segments[i].b) / 2); };
         seen.push_back(planes[i] ? groups.seen(first, count)

@@ -77,8 +77,8 @@ public:
     VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
 
     /// Parts of the segment from a to b such that nothing lies between them and the viewpoint.
-    /// Parts and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
-    /// seen as a whole or not at all.
+    /// Visible parts, and intervals between them, shorter than 1e-9 of the segment are dropped. A
+    /// segment without length is seen as a whole or not at all.
     VisibleIntervals intervals(const Segment& segment) const;
     /// Visible parts of several segments. Parallel ones are scan lines of a screen on which every
     /// candidate is placed once, and share rays (docs/theory/visibility.md).
@@ -88,8 +88,8 @@ public:
     /// where it is proved hidden, nothing where neither is proved. The part of it on the side that
     /// is not faced does not count.
     std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const;
-    /// Turns of a prism in the region. Some are left out that together make lines `rule.gap` apart
-    /// miss no more than `rule.missed` of the prism, and those of the viewpoint's own patch.
+    /// Turns of a prism in the region. Some are left out that together make lines `rule.spacing`
+    /// apart miss no more than `rule.missed` of the prism, and those of the viewpoint's own patch.
     std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const;
 
 private:

@@ -100,10 +100,10 @@ VisibleIntervals VisibilityQuery::Candidates::intervals(const Segment& ends) con
     if (!line) return end_on(ends);
     add_events(*line);
     add_own_events(*line);
-    IntervalClasses gaps;
-    gaps.add(line->plane, event_intervals(line->events, line->asked));
-    gaps.classify(*tracer_);
-    return {gaps.seen(0, gaps.size()), line->certain};
+    IntervalClasses classes;
+    classes.add(line->plane, event_intervals(line->events, line->asked));
+    classes.classify(*tracer_);
+    return {classes.seen(0, classes.size()), line->certain};
 }
 
 void VisibilityQuery::Candidates::add_piece_events(std::size_t piece, Line& line) const {

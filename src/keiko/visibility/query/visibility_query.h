@@ -107,7 +107,8 @@ private:
     void scan(const Screen& screen, std::span<const ScanLine> scan_lines,
               std::vector<Line>& lines) const;
     void join_neighbours(const Screen& screen, std::span<const ScanLine> scan_lines,
-                         std::span<const std::size_t> first_gap, IntervalClasses& groups) const;
+                         std::span<const std::size_t> first_interval,
+                         IntervalClasses& groups) const;
 
     const Occluders::Scene* scene_;
     const Tracer* tracer_;
