@@ -1,6 +1,6 @@
 #include "keiko/visibility/query/contour_extrema.h"
 
-#include "keiko/visibility/query/occluders.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>

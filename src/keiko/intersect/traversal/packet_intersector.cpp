@@ -2,6 +2,7 @@
 
 #include "keiko/intersect/kernels/prefetch.h"
 #include "keiko/intersect/traversal/bezier_clipping.h"
+#include "keiko/intersect/traversal/hit_filter.h"
 
 #include <algorithm>
 #include <bit>
@@ -251,7 +252,8 @@ bool PacketIntersector::counts(std::size_t lane, Crossing& crossing) const {
     }
     if (plain && (excluding_ & bit(lane)) == 0) return true;
     const TracedRay ray = block_.ray(lane);
-    return HitFilter(scene_->model, ray, scene_->model.placed[crossing.sub_patch]).passes(crossing);
+    return HitFilter(scene_->model, ray, scene_->model.placed[crossing.sub_patch])
+        .accepts(crossing);
 }
 
 void PacketIntersector::accept(std::size_t lane, Crossing crossing) {

@@ -3,8 +3,8 @@
 #include "keiko/base/parallel.h"
 #include "keiko/visibility/epipolar/epipolar_curve.h"
 #include "keiko/visibility/query/event_intervals.h"
+#include "keiko/visibility/query/occluder_scene.h"
 #include "keiko/visibility/query/scan_plane.h"
-#include "keiko/visibility/query/visibility_query.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ Box2 face_box(const OccluderPatch& patch, std::span<const Vec2> places) {
 
 class EpipolarShadows::Planes {
 public:
-    Planes(const Occluders::Scene& scene, const Tracer& tracer, const Vec3& light, const Vec3& eye,
+    Planes(const OccluderScene& scene, const Tracer& tracer, const Vec3& light, const Vec3& eye,
            const Job& job)
         : scene_(scene), tracer_(tracer), viewpoint_(Viewpoint::at(light)), axes_(light, eye) {
         std::vector<BoundaryPiece> curves;
@@ -75,7 +75,7 @@ private:
     /// Whether a line is on material there; mixed: nobody knows.
     TrimSide side_at(const EdgeLine& edge, double t) const;
 
-    const Occluders::Scene& scene_;
+    const OccluderScene& scene_;
     const Tracer& tracer_;
     Viewpoint viewpoint_;
     EpipolarAxes axes_;

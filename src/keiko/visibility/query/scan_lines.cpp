@@ -1,5 +1,5 @@
 #include "keiko/visibility/boundaries/plane_cuts.h"
-#include "keiko/visibility/query/visibility_query.h"
+#include "keiko/visibility/query/occluder_candidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,7 @@ void find_free(std::vector<ParameterInterval>& blocked, double low, double high,
 
 } // namespace
 
-const VisibilityQuery::Candidates::Screen& VisibilityQuery::Candidates::screen_of(
-    const Vec3& along) const {
+const OccluderCandidates::Screen& OccluderCandidates::screen_of(const Vec3& along) const {
     if (screen_ && screen_->screen.is_along(along)) return *screen_;
     screen_.emplace(Screen{ScanPlane(viewpoint_, along, middle_), {}, {}, {}});
     if (!screen_->screen.regular()) return *screen_;
@@ -48,9 +47,8 @@ const VisibilityQuery::Candidates::Screen& VisibilityQuery::Candidates::screen_o
     return *screen_;
 }
 
-std::optional<std::vector<VisibilityQuery::Candidates::ScanLine>>
-VisibilityQuery::Candidates::scan_lines(const ScanPlane& screen,
-                                        std::span<const Segment> row) const {
+std::optional<std::vector<OccluderCandidates::ScanLine>> OccluderCandidates::scan_lines(
+    const ScanPlane& screen, std::span<const Segment> row) const {
     if (!screen.regular()) return std::nullopt;
     std::vector<ScanLine> lines;
     lines.reserve(row.size());
@@ -65,8 +63,8 @@ VisibilityQuery::Candidates::scan_lines(const ScanPlane& screen,
     return lines;
 }
 
-void VisibilityQuery::Candidates::scan(const Screen& screen, std::span<const ScanLine> scan_lines,
-                                       std::vector<Line>& lines) const {
+void OccluderCandidates::scan(const Screen& screen, std::span<const ScanLine> scan_lines,
+                              std::vector<Line>& lines) const {
     const auto each_crossed = [&](const ScanBounds& box, const auto& visit) {
         for (const ScanLine& l : between(scan_lines, box.across_low, box.across_high))
             if (box.along_low <= std::max(l.begin, l.end) &&
@@ -88,10 +86,9 @@ void VisibilityQuery::Candidates::scan(const Screen& screen, std::span<const Sca
 
 /// Two intervals of neighbouring lines are one where a way from one to the other along the screen
 /// meets no candidate: nothing that can change what is seen lies there.
-void VisibilityQuery::Candidates::join_neighbours(const Screen& screen,
-                                                  std::span<const ScanLine> scan_lines,
-                                                  std::span<const std::size_t> first_interval,
-                                                  IntervalClasses& groups) const {
+void OccluderCandidates::join_neighbours(const Screen& screen, std::span<const ScanLine> scan_lines,
+                                         std::span<const std::size_t> first_interval,
+                                         IntervalClasses& groups) const {
     const auto intervals_of = [&](const ScanLine& l, const auto& visit) {
         for (std::size_t g = first_interval[l.line]; g < first_interval[l.line + 1]; ++g) {
             const EventInterval& interval = groups.interval(g);
@@ -121,7 +118,7 @@ void VisibilityQuery::Candidates::join_neighbours(const Screen& screen,
     }
 }
 
-std::optional<std::vector<VisibleIntervals>> VisibilityQuery::Candidates::intervals_of_row(
+std::optional<std::vector<VisibleIntervals>> OccluderCandidates::intervals_of_row(
     std::span<const Segment> row) const {
     if (row.empty() || all_seen_) return std::nullopt;
     const Screen& screen = screen_of((row[0].b - row[0].a).normalized());
