@@ -6,6 +6,7 @@
 #define KEIKO_TRACE_KRAWCZYK_INL_H
 #endif
 
+#include "keiko/intersect/kernels/existence_test-inl.h"
 #include "keiko/intersect/kernels/frame_rays-inl.h"
 #include "keiko/intersect/kernels/newton-inl.h"
 

@@ -18,9 +18,9 @@ void bezier_clipping(const TracedModel& model, std::uint32_t placed, const Trace
                      bool clipping_only, std::vector<Crossing>& found);
 
 /// Every root of a ray of a block on one sub-patch with a regular frame, by Krawczyk's method in
-/// boxes, a vector of them side by side. It serves rays too low over the sub-patch for the first
-/// look. Its roots are untested, as those of bezier_clipping. False, with nothing appended, when
-/// boxes stay undecided down to where only clipping helps, as near a tangency.
+/// boxes, a vector of them side by side. It serves rays too low over the sub-patch for the
+/// existence test. Its roots are untested, as those of bezier_clipping. False, with nothing
+/// appended, when boxes stay undecided down to where only clipping helps, as near a tangency.
 bool interval_newton(const TracedModel& model, const SubPatchKernels& kernels, std::uint32_t placed,
                      const RayPacket& rays, std::size_t lane, std::vector<Crossing>& found);
 
