@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/memory.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/math/rgb.h"
 #include "keiko/render/reflection/reflected_footprint.h"

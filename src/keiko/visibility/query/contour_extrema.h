@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/visibility/query/scan_plane.h"
 #include "keiko/visibility/silhouettes/view_volume.h"

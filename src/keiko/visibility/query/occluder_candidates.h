@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/geometry/bvh/box_tree.h"
-#include "keiko/geometry/visibility/ray.h"
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/ray.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/query/contour_extrema.h"
 #include "keiko/visibility/query/event_intervals.h"

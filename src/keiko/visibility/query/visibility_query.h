@@ -1,7 +1,7 @@
 #pragma once
 
-#include "keiko/geometry/visibility/ray.h"
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/ray.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/visibility/query/occluders.h"
 #include "keiko/visibility/query/visible_intervals.h"
 
