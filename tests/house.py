@@ -38,7 +38,7 @@ CHAMBERS = {
     "geometry": {
         "bernstein": set(),
         "bezier": {"bernstein"},
-        "visibility": {"bezier"},
+        "rays": set(),
         "model": {"bezier"},
         "trim": {"model"},
         "bvh": set(),

@@ -11,11 +11,11 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-/// Existence test without proofs; otherwise as project_ray in ray_projection-inl.h.
+/// Existence test without proofs; otherwise as existence_test in existence_test-inl.h.
 template <class D>
-void bare_look_at(D d, const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
-                  ExistenceResult& result) {
-    const View<D> v(d, rays, lane, SameSubPatch{sub_patch, nullptr});
+void bare_existence_test(D d, const RayPacket& rays, std::size_t lane,
+                         const PackedSubPatch& sub_patch, ExistenceResult& result) {
+    const RayPlanes<D> v(d, rays, lane, SameSubPatch{sub_patch, nullptr});
     const auto one = hn::Set(d, 1);
     const auto near_s = hn::Sub(v.depth, v.reach()), far_s = hn::Add(v.depth, v.reach());
     const auto missed = hn::Or(hn::Or(hn::Gt(hn::Abs(v.a), hn::Add(one, v.strip_u())),
@@ -31,7 +31,7 @@ void bare_look_at(D d, const RayPacket& rays, std::size_t lane, const PackedSubP
 template <class D>
 LaneMask bare_solve_lanes(D d, const RayPacket& rays, std::size_t lane, LaneMask wanted,
                           const SameSubPatch& sub_patch, SubPatchRoots& result) {
-    const View<D> v(d, rays, lane, sub_patch);
+    const RayPlanes<D> v(d, rays, lane, sub_patch);
     const auto one = hn::Set(d, 1);
     const auto clamped = [&](auto t) { return hn::Min(hn::Max(t, hn::Neg(one)), one); };
     std::uint8_t start_bits[8] = {static_cast<std::uint8_t>(wanted >> lane)};
@@ -65,18 +65,19 @@ LaneMask bare_solve_lanes(D d, const RayPacket& rays, std::size_t lane, LaneMask
     return lane_bits(d, found, lane);
 }
 
-void bare_look(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
-               ExistenceResult& result) {
+void bare_existence_test(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
+                         ExistenceResult& result) {
     result.certain = result.material = result.single = result.undecided = 0;
-    for_vectors(mask,
-                [&](std::size_t lane) { bare_look_at(Wide(), rays, lane, sub_patch, result); });
+    for_vectors(mask, [&](std::size_t lane) {
+        bare_existence_test(Wide(), rays, lane, sub_patch, result);
+    });
     result.undecided &= mask;
 }
 
-void bare_look_single(const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
-                      ExistenceResult& result) {
+void bare_existence_test_single(const RayPacket& rays, std::size_t lane,
+                                const PackedSubPatch& sub_patch, ExistenceResult& result) {
     result.certain = result.material = result.single = result.undecided = 0;
-    bare_look_at(One(), rays, lane, sub_patch, result);
+    bare_existence_test(One(), rays, lane, sub_patch, result);
 }
 
 void bare_solve(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
@@ -95,7 +96,7 @@ void bare_solve_single(const RayPacket& rays, std::size_t lane, const PackedSubP
 }
 
 bench::BareKernels bare_kernels() {
-    return {bare_look, bare_look_single, bare_solve, bare_solve_single};
+    return {bare_existence_test, bare_existence_test_single, bare_solve, bare_solve_single};
 }
 
 } // namespace keiko::HWY_NAMESPACE

@@ -9,9 +9,9 @@ namespace keiko::bench {
 struct BareKernels {
     /// The strips alone: `undecided` for lanes that may meet the sub-patch, nothing about how
     /// often.
-    void (*look)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
-    void (*look_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
-                        ExistenceResult&);
+    void (*existence_test)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
+    void (*existence_test_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
+                                  ExistenceResult&);
     /// Newton's method until a step is so small that the next would be rounding; no bound.
     void (*solve)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,
                   SubPatchRoots&);

@@ -25,7 +25,7 @@ public:
         return thread_seconds([&] {
             for (const LeafVisit& v : visits_.visits) {
                 look(visits_.blocks[v.block], v.rays, model_.hot[v.sub_patch]);
-                kept_ += look_.certain | look_.single | look_.undecided;
+                kept_ += existence_.certain | existence_.single | existence_.undecided;
             }
         });
     }
@@ -42,10 +42,10 @@ public:
 private:
     void look(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch) {
         if (std::has_single_bit(mask))
-            kernels_.look_single(rays, static_cast<std::size_t>(std::countr_zero(mask)), sub_patch,
-                                 look_);
+            kernels_.existence_test_single(rays, static_cast<std::size_t>(std::countr_zero(mask)),
+                                           sub_patch, existence_);
         else
-            kernels_.look(rays, mask, sub_patch, look_);
+            kernels_.existence_test(rays, mask, sub_patch, existence_);
     }
     void solve(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch) {
         const Component4* polynomial = &model_.sub_patches.polynomials[sub_patch.polynomial];
@@ -59,7 +59,7 @@ private:
     const Kernels& kernels_;
     const TracedModel& model_;
     const LeafVisits& visits_;
-    ExistenceResult look_;
+    ExistenceResult existence_;
     SubPatchRoots roots_;
     LaneMask kept_ = 0; ///< so that no compiler drops the work
 };

@@ -22,15 +22,15 @@ public:
     LaneMask visit(std::uint32_t sub_patch, LaneMask lanes) override {
         RayPacket& rays = to_.blocks[block_];
         const PackedSubPatch& hot = model_.hot[sub_patch];
-        kernels_.look(rays, lanes, hot, look_);
+        kernels_.existence_test(rays, lanes, hot, existence_);
         const std::size_t here = to_.visits.size();
         to_.visits.push_back({block_, sub_patch, lanes});
         if (!hot.material) return 0;
         LaneMask lowered = 0;
-        for (LaneMask left = look_.certain; left != 0; left &= left - 1) {
+        for (LaneMask left = existence_.certain; left != 0; left &= left - 1) {
             const auto lane = static_cast<std::size_t>(std::countr_zero(left));
-            if (!(look_.farthest[lane] < rays.high[lane])) continue;
-            rays.high[lane] = look_.farthest[lane];
+            if (!(existence_.farthest[lane] < rays.high[lane])) continue;
+            rays.high[lane] = existence_.farthest[lane];
             lowered |= LaneMask{1} << lane;
             if (nearest_[lane] != nowhere)
                 to_.visits[nearest_[lane]].solved &= ~(LaneMask{1} << lane);
@@ -48,7 +48,7 @@ private:
     LeafVisits& to_;
     std::size_t block_ = 0;
     RayPacket::Lanes<std::size_t> nearest_{};
-    ExistenceResult look_;
+    ExistenceResult existence_;
 };
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "keiko/light/tubes/tube_penumbra.h"
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/render/shading/occluded_visibility.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/bench/cpu_clock.h"
 #include "tests/support/random.h"

@@ -1,5 +1,5 @@
 #include "keiko/import/worker/load_model.h"
-#include "keiko/visibility/query/occluders.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/support/file_test_name.h"
 #include "tests/support/leaf_bounds.h"

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/bezier/bezier.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 
 #include "tests/support/random.h"
 

@@ -1,5 +1,7 @@
 #include "tests/support/visibility_probe.h"
 
+#include "keiko/visibility/query/visibility_query.h"
+
 #include "tests/support/leaf_bounds.h"
 
 #include <sstream>

@@ -1,9 +1,9 @@
 #include "keiko/compare/compare_inspections.h"
 #include "keiko/geometry/bvh/box_tree.h"
+#include "keiko/geometry/model/closest_point.h"
 #include "keiko/geometry/model/surface_model.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <tuple>
 
@@ -15,13 +15,6 @@ struct Along {
     double share = 0; ///< of its course, by points, within reach of the other
     double apart = 0; ///< mm, mean distance there
 };
-
-double distance_to_chord(const Vec3& p, const Vec3& a, const Vec3& b) {
-    const Vec3 chord = b - a;
-    const double square = chord.length2();
-    const double share = square > 0 ? std::clamp((p - a).dot(chord) / square, 0.0, 1.0) : 0.0;
-    return (p - a - chord * share).length();
-}
 
 /// The courses of many seams, found by nearness.
 class Courses {
@@ -68,7 +61,7 @@ private:
     std::map<std::uint32_t, double> near(const Vec3& p, double reach) const {
         std::map<std::uint32_t, double> nearest;
         for (const std::uint32_t i : tree_->overlapping(Box3{p, p}.padded(reach))) {
-            const double distance = distance_to_chord(p, chords_[i].from, chords_[i].to);
+            const double distance = segment_distance(chords_[i].from, chords_[i].to, p);
             if (distance > reach) continue;
             const auto [at, added] = nearest.emplace(chords_[i].seam, distance);
             at->second = std::min(at->second, distance);

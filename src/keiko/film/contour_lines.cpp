@@ -182,12 +182,12 @@ constexpr double least_length = 5;
 /// Sets the label of a line and breaks the line there, if it is long enough and there is room.
 void set_label(Polyline& line, int number, const std::string& label, int scale, Occupied& occupied,
                std::vector<TextLabel>& texts) {
-    const Vec2 size = text_size(label, scale), gap = size + Vec2(4.0 * scale);
+    const Vec2 size = text_size(label, scale), around = size + Vec2(4.0 * scale);
     if (length_of(line) < least_length * size.x) return;
     const auto count = static_cast<double>(line.points.size());
     for (const double share : places) {
         const Vec2 middle = line.points[static_cast<std::size_t>(share * count)];
-        const Box2 box = box_around(middle, gap);
+        const Box2 box = box_around(middle, around);
         if (!occupied.holds_only(box, number)) continue;
         occupied.add_label(box);
         texts.push_back(

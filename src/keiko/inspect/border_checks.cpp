@@ -31,9 +31,9 @@ public:
     std::string name(const PlacedFace& of) const {
         return placed_face_name(model_, of.instance, of.face);
     }
-    /// "face 1 | face 2"; a single name if both are the same.
+    /// Names of both faces; a single name if both are the same.
     std::string names(const std::array<PlacedFace, 2>& of) const {
-        return of[0] == of[1] ? name(of[0]) : name(of[0]) + " | " + name(of[1]);
+        return of[0] == of[1] ? name(of[0]) : faces_at_seam(model_, of[0], of[1]);
     }
     std::vector<Check> take() { return std::move(checks_); }
 

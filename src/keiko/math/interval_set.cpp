@@ -62,14 +62,14 @@ IntervalSet IntervalSet::unite(const IntervalSet& other) const {
 }
 
 IntervalSet IntervalSet::complement(double begin, double end) const {
-    std::vector<ParameterInterval> gaps;
+    std::vector<ParameterInterval> rest;
     double from = begin;
     for (const ParameterInterval& i : *this) {
-        gaps.push_back({from, std::min(i.begin, end)});
+        rest.push_back({from, std::min(i.begin, end)});
         from = std::max(from, i.end);
     }
-    gaps.push_back({from, end});
-    return IntervalSet(std::move(gaps));
+    rest.push_back({from, end});
+    return IntervalSet(std::move(rest));
 }
 
 } // namespace keiko

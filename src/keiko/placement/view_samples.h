@@ -4,7 +4,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/scene/camera.h"

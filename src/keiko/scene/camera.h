@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/math/bounds.h"
 
 #include <optional>

@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/export.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/math/bounds.h"
 
 #include <cstdint>

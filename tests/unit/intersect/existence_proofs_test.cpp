@@ -158,22 +158,22 @@ void check_claims(const TracedModel& model, const SubPatchKernels& kernels, cons
     kernels.enter(ball, block);
     if (block.active == 0) return;
     for (std::uint32_t i = 0; i < model.hot.size(); ++i) {
-        ExistenceResult look;
-        kernels.look_single(block, 0, model.hot[i], look);
+        ExistenceResult existence;
+        kernels.existence_test_single(block, 0, model.hot[i], existence);
         const std::vector<Vec2> roots = clipped(model, i, block.ray(0));
-        if (look.undecided != 0) {
+        if (existence.undecided != 0) {
             ++claims.undecided;
             check_narrowed(model, kernels, i, block, roots, claims);
             continue;
         }
-        if (look.certain == 0 && look.single == 0) {
+        if (existence.certain == 0 && existence.single == 0) {
             ++claims.missed;
             EXPECT_TRUE(roots.empty());
             continue;
         }
-        ++(look.certain != 0 ? claims.certain : claims.single);
+        ++(existence.certain != 0 ? claims.certain : claims.single);
         EXPECT_LE(roots.size(), 1u);
-        if (look.certain != 0) {
+        if (existence.certain != 0) {
             EXPECT_EQ(roots.size(), 1u);
         }
         SubPatchRoots found;
@@ -187,8 +187,8 @@ void check_claims(const TracedModel& model, const SubPatchKernels& kernels, cons
         if (found.found == 0) continue;
         const Vec2 uv = Vec2(found.x[0] + 1, found.y[0] + 1) * 0.5;
         EXPECT_LE((uv - roots.front()).length(), found.error[0] + 1e-12);
-        EXPECT_GE(found.s[0], look.nearest[0]);
-        EXPECT_LE(found.s[0], look.farthest[0]);
+        EXPECT_GE(found.s[0], existence.nearest[0]);
+        EXPECT_LE(found.s[0], existence.farthest[0]);
     }
 }
 

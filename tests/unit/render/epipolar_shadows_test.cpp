@@ -1,6 +1,7 @@
 #include "keiko/visibility/epipolar/epipolar_shadows.h"
 
 #include "keiko/import/worker/load_model.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/support/paths.h"
 #include <gtest/gtest.h>

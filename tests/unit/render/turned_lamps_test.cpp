@@ -1,5 +1,6 @@
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/render/shading/direct_lighting.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>

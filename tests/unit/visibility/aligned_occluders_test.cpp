@@ -1,5 +1,5 @@
 #include "keiko/visibility/epipolar/epipolar_shadows.h"
-#include "keiko/visibility/query/occluders.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/support/long_run.h"
 #include "tests/support/round_scenes.h"

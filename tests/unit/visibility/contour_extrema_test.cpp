@@ -1,6 +1,6 @@
 #include "keiko/visibility/query/contour_extrema.h"
 
-#include "keiko/visibility/query/occluders.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/support/analytic_models.h"
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-constexpr double gap = 0.1;
+constexpr double spacing = 0.1;
 constexpr double one_place = 1e-5; // of the prism's width
 
 /// A level prism along x over the origin, from slopes -0.5 to 0.5 across and along.
@@ -38,7 +38,7 @@ std::vector<Found> turns_of(const SurfaceModel& model, double missed = 0) {
     for (const Segment& edge : prism) corners.insert(corners.end(), {edge.a, edge.b});
     const VisibilityQuery view(occluders, tracer, Viewpoint::at(Vec3(0)), corners);
     std::vector<Found> found;
-    for (const CriticalSlice& turn : view.turns(prism, {gap, missed})) {
+    for (const CriticalSlice& turn : view.turns(prism, {spacing, missed})) {
         EXPECT_NEAR(turn.way.x, 0, 1e-12);
         found.push_back({turn.way.y / turn.way.z, turn.missed, turn.dark, turn.jump});
     }
@@ -69,7 +69,7 @@ TEST(ContourExtrema, AreWhereAnEdgeRunsAlong) {
     EXPECT_NEAR(found[0].slope, 0.1, one_place);
     EXPECT_NEAR(found[1].slope, 0.275, one_place);
     for (const Found& turn : found) {
-        EXPECT_NEAR(turn.missed, 0.3 * gap / 2, 1e-12);
+        EXPECT_NEAR(turn.missed, 0.3 * spacing / 2, 1e-12);
         EXPECT_TRUE(turn.jump);
     }
     EXPECT_EQ(found[0].dark, -1);
@@ -97,7 +97,7 @@ TEST(ContourExtrema, AreNowhereBesideThePrism) {
 
 TEST(ContourExtrema, LeavesOutAsMuchAsIsAllowed) {
     const SurfaceModel model = parallelogram({-60, 40, 400}, {120, 0, 0}, {0, 70, 0});
-    const double of_both = 0.3 * gap;
+    const double of_both = 0.3 * spacing;
     EXPECT_EQ(turns_of(model, 0.45 * of_both).size(), 2u);
     EXPECT_EQ(turns_of(model, 0.55 * of_both).size(), 1u);
     EXPECT_TRUE(turns_of(model, 1.01 * of_both).empty());

@@ -1,4 +1,4 @@
-#include "keiko/visibility/query/occluders.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include "tests/support/shapes.h"
 #include <gtest/gtest.h>

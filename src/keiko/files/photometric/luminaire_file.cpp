@@ -13,7 +13,7 @@ namespace {
 
 /// Products of a few numbers up to here stay finite.
 constexpr double largest_number = 1e15;
-/// By which the gap from the last plane to the first may be wider than the widest of the others.
+/// By which the angle from the last plane to the first may be wider than the widest of the others.
 constexpr double rounding = 1e-6;
 
 /// Whether planes from 0 degrees on go all the way round: up to 360 degrees, or to one step less.

@@ -1,7 +1,9 @@
 #include "keiko/inspect/basics/placed_face.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace keiko {
 
@@ -15,6 +17,19 @@ std::string placed_face_name(const SurfaceModel& model, std::uint32_t instance,
     const bool only = std::count_if(model.instances.begin(), model.instances.end(),
                                     [&](const Instance& i) { return i.name == name; }) == 1;
     return text + " of " + name + (only ? "" : ", " + number);
+}
+
+std::string faces_at_seam(const SurfaceModel& model, const PlacedFace& a, const PlacedFace& b) {
+    std::string text = placed_face_name(model, a.instance, a.face);
+    text += between_faces;
+    return text + placed_face_name(model, b.instance, b.face);
+}
+
+std::string line_inside_face(const SurfaceModel& model, const PlacedFace& of, bool constant_u,
+                             double at) {
+    std::array<char, 48> place{};
+    std::snprintf(place.data(), place.size(), ", inside at %c = %.6g", constant_u ? 'u' : 'v', at);
+    return placed_face_name(model, of.instance, of.face) + place.data();
 }
 
 SurfaceDerivatives placed_derivatives(const SurfaceModel& model, std::uint32_t instance,

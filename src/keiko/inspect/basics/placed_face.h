@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace KEIKO_API keiko {
@@ -32,6 +33,14 @@ inline std::vector<PlacedFace> placed_faces(const SurfaceModel& model) {
 /// Name of a placed face: "face 12 (fender-outer)". If the model has several instances, it is "face
 /// 12 of nut", or "face 12 of nut, instance 3" if several instances have that name.
 std::string placed_face_name(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face);
+
+/// Text between the names of the two faces at a seam.
+constexpr std::string_view between_faces = " | ";
+/// Names of the two faces at a seam: "face 1 | face 2".
+std::string faces_at_seam(const SurfaceModel& model, const PlacedFace& a, const PlacedFace& b);
+/// Name of a line of constant u or v inside a face: "face 1, inside at u = 0.25".
+std::string line_inside_face(const SurfaceModel& model, const PlacedFace& of, bool constant_u,
+                             double at);
 
 /// Derivatives to order 3 by the patch parameters of a patch placed by an instance; world, mm.
 SurfaceDerivatives placed_derivatives(const SurfaceModel& model, std::uint32_t instance,

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 
 namespace keiko {
@@ -257,13 +256,10 @@ void LineJoiner::name(LineCrossing& crossing) const {
 std::string LineJoiner::faces_at(const LineBorder& border) const {
     if (border.seam != no_index) {
         const Seam& seam = seams_.seams[seams_.chains[border.seam].front()];
-        return placed_face_name(model_, seam.a.instance, seam.a.face) + " | " +
-               placed_face_name(model_, seam.b.instance, seam.b.face);
+        return faces_at_seam(model_, {seam.a.instance, seam.a.face},
+                             {seam.b.instance, seam.b.face});
     }
-    std::array<char, 48> place{};
-    std::snprintf(place.data(), place.size(), ", inside at %c = %.6g",
-                  border.constant_u ? 'u' : 'v', border.at);
-    return placed_face_name(model_, border.instance, border.face) + place.data();
+    return line_inside_face(model_, {border.instance, border.face}, border.constant_u, border.at);
 }
 
 /// Adds the inflections of one stretch, which begins `along` mm after the line does. `pieces`: one

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 namespace keiko {
 namespace {
@@ -55,8 +54,8 @@ MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Se
         for (MeasuredStretch& stretch : lines[i]) {
             MeasuredSeam& seam = stretch.seam;
             seam.line = i;
-            seam.faces = placed_face_name(model, seam.instance_a, seam.face_a) + " | " +
-                         placed_face_name(model, seam.instance_b, seam.face_b);
+            seam.faces = faces_at_seam(model, {seam.instance_a, seam.face_a},
+                                       {seam.instance_b, seam.face_b});
             for (const SeamPart& part : stretch.parts) {
                 seam.pieces.push_back(static_cast<std::uint32_t>(result.pieces.size()));
                 result.pieces.push_back(cut_seam(seams[chains[i][part.piece]], part));
@@ -186,15 +185,14 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance, const KnotL
         const auto& right = points.emplace_back(piece.side(false));
         seam.probes.push_back(face_.probe(piece, placed, left, right));
     }
-    char knot[48];
-    std::snprintf(knot, sizeof knot, "%c = %.6g", line.front().constant_u ? 'u' : 'v',
-                  line.front().at);
+    const std::string faces =
+        line_inside_face(model_, {instance, index_}, line.front().constant_u, line.front().at);
     CriteriaPreset judged = preset;
     if (!std::all_of(line.begin(), line.end(), [](const KnotPiece& p) { return p.has_limits; }))
         judged.curvature.reset(), judged.curvature_slope.reset();
     std::vector<MeasuredSeam> measured;
     for (MeasuredStretch& stretch : measure_line(model_, seam, judged, limits)) {
-        stretch.seam.faces = placed_face_name(model_, instance, index_) + ", inside at " + knot;
+        stretch.seam.faces = faces;
         stretch.seam.internal = true;
         for (const SeamPart& part : stretch.parts)
             stretch.seam.knots.push_back(line[part.piece].part(part.begin.t, part.end.t));

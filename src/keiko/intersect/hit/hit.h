@@ -4,7 +4,7 @@
 #include "keiko/base/memory.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 
 #include <cstdint>
 #include <limits>

@@ -1,11 +1,12 @@
 // Compiled once for each instruction set by sub_patch_kernels.cpp.
-#if defined(KEIKO_TRACE_KRAWCZYK_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef KEIKO_TRACE_KRAWCZYK_INL_H
-#undef KEIKO_TRACE_KRAWCZYK_INL_H
+#if defined(KEIKO_INTERSECT_KRAWCZYK_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_INTERSECT_KRAWCZYK_INL_H
+#undef KEIKO_INTERSECT_KRAWCZYK_INL_H
 #else
-#define KEIKO_TRACE_KRAWCZYK_INL_H
+#define KEIKO_INTERSECT_KRAWCZYK_INL_H
 #endif
 
+#include "keiko/intersect/kernels/existence_test-inl.h"
 #include "keiko/intersect/kernels/frame_rays-inl.h"
 #include "keiko/intersect/kernels/newton-inl.h"
 

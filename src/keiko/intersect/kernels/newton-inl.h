@@ -1,12 +1,12 @@
 // Compiled once for each instruction set by sub_patch_kernels.cpp.
-#if defined(KEIKO_TRACE_NEWTON_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef KEIKO_TRACE_NEWTON_INL_H
-#undef KEIKO_TRACE_NEWTON_INL_H
+#if defined(KEIKO_INTERSECT_NEWTON_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_INTERSECT_NEWTON_INL_H
+#undef KEIKO_INTERSECT_NEWTON_INL_H
 #else
-#define KEIKO_TRACE_NEWTON_INL_H
+#define KEIKO_INTERSECT_NEWTON_INL_H
 #endif
 
-#include "keiko/intersect/kernels/ray_projection-inl.h"
+#include "keiko/intersect/kernels/ray_planes-inl.h"
 #include "keiko/intersect/kernels/sub_patch_jet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -132,7 +132,7 @@ private:
     static constexpr D d_{};
     SubPatches sub_patches_;
     std::size_t lane_;
-    View<D> v_;
+    RayPlanes<D> v_;
     V regain_, noise_, x_, y_, error_ = hn::Zero(d_), s_ = hn::Zero(d_);
     hn::Mask<D> active_, found_ = hn::FirstN(d_, 0);
 };

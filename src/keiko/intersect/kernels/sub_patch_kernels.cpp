@@ -8,6 +8,7 @@
 #include <hwy/foreach_target.h>
 
 // Then what is made for the one in hand.
+#include "keiko/intersect/kernels/existence_test-inl.h"
 #include "keiko/intersect/kernels/hit_derivatives-inl.h"
 #include "keiko/intersect/kernels/krawczyk-inl.h"
 #include "keiko/intersect/kernels/newton-inl.h"
@@ -22,21 +23,21 @@
 HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
-void look(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
-          ExistenceResult& result) {
+void existence_test(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
+                    ExistenceResult& result) {
     result.certain = result.material = result.single = result.undecided = 0;
     for_vectors(mask,
-                [&](std::size_t lane) { project_ray(Wide(), rays, lane, sub_patch, result); });
+                [&](std::size_t lane) { existence_test(Wide(), rays, lane, sub_patch, result); });
     result.certain &= mask;
     result.material &= mask;
     result.single &= mask;
     result.undecided &= mask;
 }
 
-void look_single(const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
-                 ExistenceResult& result) {
+void existence_test_single(const RayPacket& rays, std::size_t lane, const PackedSubPatch& sub_patch,
+                           ExistenceResult& result) {
     result.certain = result.material = result.single = result.undecided = 0;
-    project_ray(One(), rays, lane, sub_patch, result);
+    existence_test(One(), rays, lane, sub_patch, result);
 }
 
 void solve(const RayPacket& rays, LaneMask mask, const PackedSubPatch& sub_patch,
@@ -74,8 +75,8 @@ void solve_apart(const RayPacket& rays, LaneMask mask,
 SubPatchKernels kernels() {
     return {hwy::TargetName(HWY_TARGET),
             enter,
-            look,
-            look_single,
+            existence_test,
+            existence_test_single,
             solve,
             solve_single,
             solve_apart,

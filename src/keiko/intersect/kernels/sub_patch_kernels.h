@@ -5,8 +5,8 @@
 
 namespace keiko {
 
-/// Result of the existence test (docs/theory/intersector.md#the-existence-test), the first look at
-/// a sub-patch, for each ray of a block. A lane in none of the masks misses the sub-patch, meets it
+/// Result of the existence test (docs/theory/intersector.md#the-existence-test) of a sub-patch, for
+/// each ray of a block. A lane in none of the masks misses the sub-patch, meets it
 /// outside of its range of s, or where there is no material.
 struct ExistenceResult {
     LaneMask certain = 0;   ///< exactly one root on the sub-patch, and that on its patch
@@ -63,13 +63,13 @@ struct SubPatchKernels {
     const char* name; ///< of the instruction set
     /// Makes traced rays of the rays of a block, and its masks; `count` and `rays` are given.
     void (*enter)(const SceneBall&, RayPacket&);
-    /// The existence test for the lanes of a mask: project_ray in ray_projection-inl.h.
-    void (*look)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
+    /// The existence test for the lanes of a mask (existence_test-inl.h).
+    void (*existence_test)(const RayPacket&, LaneMask, const PackedSubPatch&, ExistenceResult&);
     /// The existence test for a single lane.
-    void (*look_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
-                        ExistenceResult&);
-    /// Newton's method with a proved bound, for lanes that `look` called certain or single, on
-    /// the sub-patch's coefficients.
+    void (*existence_test_single)(const RayPacket&, std::size_t lane, const PackedSubPatch&,
+                                  ExistenceResult&);
+    /// Newton's method with a proved bound, for lanes that `existence_test` called certain or
+    /// single, on the sub-patch's coefficients.
     void (*solve)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,
                   SubPatchRoots&);
     /// Solves a single lane, with the same bits as `solve`.
@@ -78,7 +78,7 @@ struct SubPatchKernels {
     /// Solves with a sub-patch for each lane, all of one array, and all sub-patches' coefficients.
     void (*solve_apart)(const RayPacket&, LaneMask, const RayPacket::Lanes<const PackedSubPatch*>&,
                         const Component4*, SubPatchRoots&);
-    /// Krawczyk's method in one box a lane, for rays that `look` leaves undecided on a
+    /// Krawczyk's method in one box a lane, for rays that `existence_test` leaves undecided on a
     /// sub-patch with bounds: it fails where they may have several roots, or are next to a
     /// tangency.
     void (*narrow)(const RayPacket&, LaneMask, const PackedSubPatch&, const Component4*,

@@ -1,9 +1,9 @@
 // Compiled once for each instruction set by sub_patch_kernels.cpp.
-#if defined(KEIKO_TRACE_BOX_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
-#ifdef KEIKO_TRACE_BOX_SEARCH_INL_H
-#undef KEIKO_TRACE_BOX_SEARCH_INL_H
+#if defined(KEIKO_INTERSECT_SUBDIVISION_SEARCH_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef KEIKO_INTERSECT_SUBDIVISION_SEARCH_INL_H
+#undef KEIKO_INTERSECT_SUBDIVISION_SEARCH_INL_H
 #else
-#define KEIKO_TRACE_BOX_SEARCH_INL_H
+#define KEIKO_INTERSECT_SUBDIVISION_SEARCH_INL_H
 #endif
 
 #include "keiko/intersect/kernels/krawczyk-inl.h"

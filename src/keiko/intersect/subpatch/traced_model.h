@@ -2,8 +2,8 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/parameter_metric.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/geometry/seam/seam_gap.h"
-#include "keiko/geometry/visibility/ray.h"
 #include "keiko/intersect/roots/planar_net.h"
 #include "keiko/intersect/subpatch/packed_sub_patch.h"
 #include "keiko/intersect/subpatch/sub_patch.h"

@@ -1,9 +1,10 @@
+#include "keiko/intersect/traversal/hit_filter.h"
+
 #include "keiko/geometry/bezier/differential_geometry.h"
-#include "keiko/intersect/subpatch/traced_model.h"
-#include "keiko/intersect/traversal/bezier_clipping.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -47,7 +48,7 @@ HitFilter::HitFilter(const TracedModel& model, const TracedRay& ray, const Place
       placed_(placed),
       sub_patch_(model.sub_patches.sub_patches[placed.sub_patch]) {}
 
-bool HitFilter::passes(Crossing& crossing) const {
+bool HitFilter::accepts(Crossing& crossing) const {
     return !is_excluded(crossing) && is_material(crossing);
 }
 

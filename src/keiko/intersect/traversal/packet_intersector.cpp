@@ -2,6 +2,7 @@
 
 #include "keiko/intersect/kernels/prefetch.h"
 #include "keiko/intersect/traversal/bezier_clipping.h"
+#include "keiko/intersect/traversal/hit_filter.h"
 
 #include <algorithm>
 #include <bit>
@@ -76,16 +77,16 @@ LaneMask PacketIntersector::visit(std::uint32_t box, LaneMask lanes) {
     lowered_ = 0;
     const PackedSubPatch& hot = scene_->model.hot[box];
     if (!has_lanes(lanes, 2))
-        scene_->kernels.look_single(block_, first_lane(lanes), hot, look_);
+        scene_->kernels.existence_test_single(block_, first_lane(lanes), hot, existence_);
     else
-        scene_->kernels.look(block_, lanes, hot, look_);
-    const LaneMask left = look_.certain | look_.single | look_.undecided;
+        scene_->kernels.existence_test(block_, lanes, hot, existence_);
+    const LaneMask left = existence_.certain | existence_.single | existence_.undecided;
     if (left == 0) return 0;
     LaneMask in_front = 0;
     for_lanes(left & pending_.doubtful(), [&](std::size_t lane) {
-        if (pending_.doubtful_until(lane) < look_.nearest[lane]) in_front |= bit(lane);
+        if (pending_.doubtful_until(lane) < existence_.nearest[lane]) in_front |= bit(lane);
     });
-    if (in_front != 0) resolve(in_front, look_.nearest);
+    if (in_front != 0) resolve(in_front, existence_.nearest);
     bool kept = false;
     for_lanes(left, [&](std::size_t lane) { kept = enqueue(lane, box) || kept; });
     if (kept) fetch_polynomial(hot);
@@ -111,14 +112,14 @@ PacketIntersector::Reach PacketIntersector::reach(std::size_t lane, std::uint32_
 }
 
 bool PacketIntersector::enqueue(std::size_t lane, std::uint32_t box) {
-    double nearest = look_.nearest[lane], farthest = look_.farthest[lane];
+    double nearest = existence_.nearest[lane], farthest = existence_.farthest[lane];
     if (!std::isfinite(nearest) || !std::isfinite(farthest)) {
         const Reach bounded = reach(lane, box);
         nearest = bounded.nearest, farthest = bounded.farthest;
     }
     if (!(nearest <= block_.high[lane])) return false;
-    const bool single = ((look_.certain | look_.single) & bit(lane)) != 0;
-    bool certain = (look_.material & bit(lane)) != 0;
+    const bool single = ((existence_.certain | existence_.single) & bit(lane)) != 0;
+    bool certain = (existence_.material & bit(lane)) != 0;
     if ((excluding_ & bit(lane)) != 0) {
         const TracedRay ray = block_.ray(lane);
         const HitFilter check(scene_->model, ray, scene_->model.placed[box]);
@@ -251,7 +252,8 @@ bool PacketIntersector::counts(std::size_t lane, Crossing& crossing) const {
     }
     if (plain && (excluding_ & bit(lane)) == 0) return true;
     const TracedRay ray = block_.ray(lane);
-    return HitFilter(scene_->model, ray, scene_->model.placed[crossing.sub_patch]).passes(crossing);
+    return HitFilter(scene_->model, ray, scene_->model.placed[crossing.sub_patch])
+        .accepts(crossing);
 }
 
 void PacketIntersector::accept(std::size_t lane, Crossing crossing) {

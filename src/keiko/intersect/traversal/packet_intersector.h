@@ -114,8 +114,8 @@ struct SearchScene {
 };
 
 /// The search of up to 16 rays at once, as one packet when they are coherent. A sub-patch that the
-/// first look does not rule out is kept for later. A proved root already ends the ray behind it,
-/// and only candidates that may still be the nearest in the end are solved. Keeps its buffers
+/// existence test does not rule out is kept for later. A proved root already ends the ray behind
+/// it, and only candidates that may still be the nearest in the end are solved. Keeps its buffers
 /// between runs; not for two threads at once.
 class PacketIntersector final : EmbreeScene::Visitor {
 public:
@@ -137,8 +137,8 @@ private:
         double nearest, farthest;
     };
     Reach reach(std::size_t lane, std::uint32_t box) const;
-    /// Puts the sub-patch off if it may hold the hit, by the last look at it; returns whether it
-    /// did.
+    /// Puts the sub-patch off if it may hold the hit, by the last existence test; returns whether
+    /// it did.
     bool enqueue(std::size_t lane, std::uint32_t box);
     /// Solves what is pending in lanes and ends before their `until`.
     void resolve(LaneMask lanes, const RayPacket::Lanes<double>& until);
@@ -148,8 +148,8 @@ private:
     /// Each lane's single root on the sub-patch in boxes_.
     void solve(LaneMask lanes);
     void find_single_roots(LaneMask lanes);
-    /// Finds each lane's roots in boxes_ on the sub-patch, the same for all, where the look proves
-    /// nothing.
+    /// Finds each lane's roots in boxes_ on the sub-patch, the same for all, where the existence
+    /// test proves nothing.
     void narrow(LaneMask lanes);
     /// Accepts the lanes of roots_; lanes that failed are clipped.
     void accept_roots();
@@ -164,7 +164,7 @@ private:
     RayPacket block_;
     LaneMask excluding_ = 0, met_ = 0; ///< rays that exclude a root, and that any() has ended
     LaneMask lowered_ = 0;             ///< rays that have become shorter at the last visit
-    ExistenceResult look_;
+    ExistenceResult existence_;
     SubPatchRoots roots_;
     CandidateQueue pending_;
     RayPacket::Lanes<std::uint32_t> boxes_{}; ///< what resolve() is about to solve

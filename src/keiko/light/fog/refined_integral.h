@@ -58,11 +58,12 @@ private:
 
     void add(double a, double b, int halvings) {
         check_stop();
-        const Rgb fine = integrate(f_, a, b, 2 * order_), gap = fine - integrate(f_, a, b, order_);
+        const Rgb fine = integrate(f_, a, b, 2 * order_);
+        const Rgb off = fine - integrate(f_, a, b, order_);
         // A piece that cannot be halved any more counts as accurate.
         const bool last = halvings == most_halvings;
         const double error =
-            last ? 0 : std::max({std::abs(gap.r), std::abs(gap.g), std::abs(gap.b)});
+            last ? 0 : std::max({std::abs(off.r), std::abs(off.g), std::abs(off.b)});
         pieces_.push_back({a, b, fine, error, halvings});
         error_ += error;
     }

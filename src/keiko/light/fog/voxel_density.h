@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 
 #include <array>
 #include <vector>

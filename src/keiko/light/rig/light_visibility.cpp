@@ -12,9 +12,9 @@ namespace {
 /// Error allowed in the penumbrae of a lamp, as a share of its illuminance: half of the error of
 /// the whole system.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
-/// Widest gap between lines of equal visibility, as a share of half a lamp's width, by the angle
-/// around it.
-constexpr double widest_gap = 0.12, widest_gap_in_pictures = 1;
+/// Widest spacing between lines of equal visibility, as a share of half a lamp's width, by the
+/// angle around it.
+constexpr double widest_spacing = 0.12, widest_spacing_in_pictures = 1;
 
 class Looker {
 public:
@@ -87,7 +87,7 @@ private:
         return seen_tubes(lamps, point_, normal_, visible_,
                           {.tolerance = number ? width_tolerance : width_tolerance_in_pictures,
                            .axes = axes_,
-                           .widest_gap = number ? widest_gap : widest_gap_in_pictures,
+                           .widest_spacing = number ? widest_spacing : widest_spacing_in_pictures,
                            .between_lines = number},
                           hiding);
     }

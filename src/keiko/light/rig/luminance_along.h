@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/fog/single_scattering.h"
 #include "keiko/light/rig/light_rig.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/spotlight/luminaire.h"
 #include "keiko/light/spotlight/spotlight.h"

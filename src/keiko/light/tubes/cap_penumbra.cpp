@@ -89,8 +89,8 @@ std::vector<Chord> chords_at(const std::vector<double>& angles, const FacingCap&
     return chords;
 }
 
-/// Gap between neighbouring chords, with the one in the middle.
-struct Gap {
+/// Interval between neighbouring chords, with the one in the middle.
+struct ChordInterval {
     Chord begin, end, middle{};
 
     double width() const { return end.angle - begin.angle; }
@@ -101,37 +101,40 @@ struct Gap {
     double lit() const { return (begin.lit + 4 * middle.lit + end.lit) / 6 * width(); }
 };
 
-std::vector<Gap> first_gaps(const FacingCap& cap, const Visibility& visible) {
+std::vector<ChordInterval> first_intervals(const FacingCap& cap, const Visibility& visible) {
     constexpr int count = 16;
     std::vector<double> angles;
     for (int i = 0; i <= count; ++i)
         angles.push_back(cap.lowest() + (std::numbers::pi / 2 - cap.lowest()) * i / count);
     const std::vector<Chord> chords = chords_at(angles, cap, visible);
-    std::vector<Gap> gaps;
-    for (std::size_t i = 1; i < chords.size(); ++i) gaps.push_back({chords[i - 1], chords[i]});
-    return gaps;
+    std::vector<ChordInterval> intervals;
+    for (std::size_t i = 1; i < chords.size(); ++i) intervals.push_back({chords[i - 1], chords[i]});
+    return intervals;
 }
 
-/// Halves gaps until all are accurate to within `tolerance`.
+/// Halves intervals until all are accurate to within `tolerance`.
 double share(const FacingCap& cap, const Visibility& visible, double tolerance) {
     constexpr int most_halvings = 20;
-    std::vector<Gap> open = first_gaps(cap, visible);
+    std::vector<ChordInterval> open = first_intervals(cap, visible);
     double allowed = 0, all = 0, lit = 0;
-    for (const Gap& gap : open) allowed += (gap.begin.all + gap.end.all) / 2 * gap.width();
-    allowed *= tolerance / 8; // few gaps are in doubt
+    for (const ChordInterval& interval : open)
+        allowed += (interval.begin.all + interval.end.all) / 2 * interval.width();
+    allowed *= tolerance / 8; // few intervals are in doubt
     for (int halvings = 0; !open.empty(); ++halvings) {
         std::vector<double> angles;
-        for (const Gap& gap : open) angles.push_back((gap.begin.angle + gap.end.angle) / 2);
+        for (const ChordInterval& interval : open)
+            angles.push_back((interval.begin.angle + interval.end.angle) / 2);
         const std::vector<Chord> middles = chords_at(angles, cap, visible);
-        std::vector<Gap> halves;
+        std::vector<ChordInterval> halves;
         for (std::size_t i = 0; i < open.size(); ++i) {
-            Gap& gap = open[i];
-            gap.middle = middles[i];
+            ChordInterval& interval = open[i];
+            interval.middle = middles[i];
             // More chords do not improve a value that is NaN.
-            if (!(gap.doubt() > allowed) || halvings == most_halvings)
-                all += gap.all(), lit += gap.lit();
+            if (!(interval.doubt() > allowed) || halvings == most_halvings)
+                all += interval.all(), lit += interval.lit();
             else
-                halves.push_back({gap.begin, gap.middle}), halves.push_back({gap.middle, gap.end});
+                halves.push_back({interval.begin, interval.middle}),
+                    halves.push_back({interval.middle, interval.end});
         }
         open = std::move(halves);
     }

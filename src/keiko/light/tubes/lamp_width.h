@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/tubes/cylinder_irradiance.h"
 #include "keiko/light/tubes/tube_lamp.h"
 

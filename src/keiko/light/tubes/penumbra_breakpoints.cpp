@@ -30,11 +30,11 @@ double missed_of(const Turns& turns) {
 } // namespace
 
 PenumbraBreakpoints::PenumbraBreakpoints(const LampWidth& width,
-                                         std::span<const CriticalSlice> turns, double gap)
-    : gap_(gap) {
+                                         std::span<const CriticalSlice> turns, double spacing)
+    : spacing_(spacing) {
     for (const CriticalSlice& turn : turns)
         if (const double place = width.place_in(turn.way); std::abs(place) < 1)
-            turns_.push_back({place, turn.missed * 2 / gap, turn.dark, turn.jump});
+            turns_.push_back({place, turn.missed * 2 / spacing, turn.dark, turn.jump});
     std::sort(turns_.begin(), turns_.end(),
               [](const Turn& a, const Turn& b) { return a.place < b.place; });
 }
@@ -73,7 +73,7 @@ std::vector<double> PenumbraBreakpoints::places(double allowed, bool agree) cons
     constexpr double for_sure = 4; // less is left to the choice below, which needs fewer cuts
     const double told = agree ? for_sure * allowed : allowed;
     for (const Turn& turn : turns_)
-        if (turn.jump * gap_ / 2 > told) cuts.push_back(turn.place);
+        if (turn.jump * spacing_ / 2 > told) cuts.push_back(turn.place);
     cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
     while (missed(cuts) > allowed) {
         const std::vector<Cell> cells = this->cells(cuts);
@@ -102,9 +102,9 @@ std::vector<WidthCut> PenumbraBreakpoints::cuts(double allowed, bool agree) cons
     std::vector<WidthCut> cuts;
     double left = allowed / 2; // of half the width, to be left out
     for (const double place : places(allowed, agree)) {
-        const double gap = cuts.empty() ? left : place - cuts.back().end;
-        if (gap < left)
-            cuts.back() = {cuts.back().begin, place, true}, left -= gap;
+        const double between = cuts.empty() ? left : place - cuts.back().end;
+        if (between < left)
+            cuts.back() = {cuts.back().begin, place, true}, left -= between;
         else
             cuts.push_back({place, place, jumps_at(place)});
     }

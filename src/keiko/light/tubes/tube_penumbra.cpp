@@ -77,7 +77,7 @@ private:
     SliceRule rule_of(const Slices& part) const {
         constexpr int most_halvings = 14;
         const double error = options_.tolerance * 2 * brightest_ * part.half;
-        return {error, options_.widest_gap, options_.between_lines, most_halvings};
+        return {error, options_.widest_spacing, options_.between_lines, most_halvings};
     }
     bool agree() const {
         return parts_.size() == 1 && ends_and_middle_agree(parts_[0], rule_of(parts_[0]));
@@ -85,13 +85,13 @@ private:
     /// Cuts the width at turns of outlines, as often as necessary for at most the tolerance to be
     /// missed between lines.
     void look_between(const Visibility& visible) {
-        const double gap = options_.widest_gap / 2, allowed = options_.tolerance;
+        const double spacing = options_.widest_spacing / 2, allowed = options_.tolerance;
         const auto line = [&](double place) { return width_.line_of(width_.sub_axis(place)); };
         const Prism lines{line(-1), line(0), line(0), line(1)};
-        const std::vector<CriticalSlice> found = visible.turns(lines, {gap, allowed / 2});
+        const std::vector<CriticalSlice> found = visible.turns(lines, {spacing, allowed / 2});
         if (found.empty()) return;
         const std::vector<WidthCut> cuts =
-            PenumbraBreakpoints(width_, found, gap).cuts(allowed, agree());
+            PenumbraBreakpoints(width_, found, spacing).cuts(allowed, agree());
         if (!cuts.empty()) cut_at(cuts, visible);
     }
     /// Cuts the width; the visibility of both ends is known.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/tubes/lamp_width.h"
 #include "keiko/light/tubes/tube_lamp.h"
 #include "keiko/math/interval_set.h"
@@ -29,9 +29,9 @@ struct PenumbraOptions {
     double tolerance = 0; ///< of a lamp's projected solid angle, as bright all over as at its best
     TubeShape shape = TubeShape::cylinder; ///< of all lamps, across their width
     bool axes = false;                     ///< visible parts of axes are queried as well
-    /// Widest gap between lines of equal visibility, of half the width, by the angle around a
+    /// Widest spacing between lines of equal visibility, of half the width, by the angle around a
     /// cylinder. Smaller occluders may be missed between them unless they are searched for.
-    double widest_gap = 1;
+    double widest_spacing = 1;
     /// True if the width is cut where outlines turn that hide more than the tolerance between
     /// lines. Lines then agree only if they do for each visible part.
     bool between_lines = false;

@@ -12,8 +12,8 @@ constexpr std::array<double, Slices::count> nodes{
     -1, -0.9604912687080202, -0.7745966692414834, -0.4342437493468026,
     0,  0.4342437493468026,  0.7745966692414834,  0.9604912687080202,
     1};
-constexpr double gauss_gap = 0.7745966692414834; ///< the widest between nodes
-constexpr double kronrod_gap = 0.4342437493468026;
+constexpr double gauss_spacing = 0.7745966692414834; ///< the widest between nodes
+constexpr double kronrod_spacing = 0.4342437493468026;
 using Weights = std::array<double, Slices::count>;
 constexpr Weights kronrod{0,
                           0.1046562260264673,
@@ -90,9 +90,9 @@ double missed_by_kronrod(const Slices& slices) {
     return missed_at(slices, 0, 1, 2) + missed_at(slices, 8, 7, 6);
 }
 
-/// True if nodes with a `gap` between them on [-1, 1] are at most the widest gap apart.
-bool near_enough(const Slices& slices, double gap, double widest) {
-    return gap * slices.half <= widest;
+/// True if nodes with a `spacing` between them on [-1, 1] are at most the widest spacing apart.
+bool near_enough(const Slices& slices, double spacing, double widest) {
+    return spacing * slices.half <= widest;
 }
 
 /// True if all slices light anything.
@@ -108,19 +108,19 @@ public:
     WidthIntegral(const LampWidth& width, const Visibility& visible, const SliceRule& until)
         : width_(width),
           visible_(visible),
-          widest_gap_(until.widest_gap),
+          widest_spacing_(until.widest_spacing),
           part_by_part_(until.part_by_part) {}
 
     SolidAngle over(Slices slices, double error, int most_halvings) const {
-        if (!near_enough(slices, kronrod_gap, widest_gap_))
+        if (!near_enough(slices, kronrod_spacing, widest_spacing_))
             return in_halves(slices, error, most_halvings);
-        if (ends_and_middle_agree(slices, {error, widest_gap_, part_by_part_})) {
+        if (ends_and_middle_agree(slices, {error, widest_spacing_, part_by_part_})) {
             const double all = weighed(slices, gauss).all;
             return {all, all * slices.at[Slices::middle].share()};
         }
         find(of_gauss_alone, slices);
         const SolidAngle three = weighed(slices, gauss);
-        if (all_above(slices) && near_enough(slices, gauss_gap, widest_gap_) &&
+        if (all_above(slices) && near_enough(slices, gauss_spacing, widest_spacing_) &&
             difference(weighed(slices, middle_alone), three) <= error &&
             missed_by_gauss(slices) * three.all <= error)
             return three;
@@ -165,7 +165,7 @@ private:
 
     const LampWidth& width_;
     const Visibility& visible_;
-    double widest_gap_;
+    double widest_spacing_;
     bool part_by_part_;
 };
 
@@ -208,7 +208,7 @@ void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& see
 }
 
 bool ends_and_middle_agree(const Slices& slices, const SliceRule& until) {
-    return all_above(slices) && near_enough(slices, 1, until.widest_gap) &&
+    return all_above(slices) && near_enough(slices, 1, until.widest_spacing) &&
            missed_by_middle(slices) * weighed(slices, gauss).all <= until.error;
 }
 

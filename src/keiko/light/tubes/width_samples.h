@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/tubes/lamp_width.h"
 
 #include <algorithm>
@@ -81,10 +81,10 @@ struct SolidAngle {
 /// Termination criterion of the integration.
 struct SliceRule {
     double error = 0;          ///< of what is hidden, absolute
-    double widest_gap = 1;     ///< between nodes, of half the width
+    double widest_spacing = 1; ///< between nodes, of half the width
     bool part_by_part = false; ///< visible parts must each change uniformly
     /// Halvings after which the finest rule is taken as it is, unless nodes are farther apart than
-    /// the widest gap.
+    /// the widest spacing.
     int most_halvings = 0;
 };
 
@@ -111,8 +111,9 @@ void hide_ends_and_middles(const LampWidth& width, bool part_by_part, std::span<
 /// that lines may miss of that.
 class PenumbraBreakpoints {
 public:
-    /// `gap`: the one for which the turns were weighed, of the whole width.
-    PenumbraBreakpoints(const LampWidth& width, std::span<const CriticalSlice> turns, double gap);
+    /// `spacing`: the one for which the turns were weighed, of the whole width.
+    PenumbraBreakpoints(const LampWidth& width, std::span<const CriticalSlice> turns,
+                        double spacing);
 
     /// Places, sorted. If both ends and the middle of each part between two of them agree, they
     /// miss at most `allowed` of the lamp together. Every jump of more than that is among them. If
@@ -137,7 +138,7 @@ private:
     bool jumps_at(double place) const;
 
     std::vector<Turn> turns_;
-    double gap_;
+    double spacing_;
 };
 
 } // namespace keiko

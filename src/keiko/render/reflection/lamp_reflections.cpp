@@ -53,7 +53,7 @@ void LampReflections::find(std::size_t place, double t_max, PixelMirror& mirror)
     mirror.discontinuous =
         tells_torn_ && (!bounded || // the plane's horizon
                         is_discontinuous(seen.residual[pixel.lane], *mirror.plane,
-                                         grid_.rays().differentials(place)));
+                                         grid_.rays().ray(place).spread));
     if (dark) return;
     const bool bent = bounded && !(seen.bend[pixel.lane] <= straight_image);
     const int parts = bent ? parts_of_bend(seen.bend[pixel.lane]) : 1;

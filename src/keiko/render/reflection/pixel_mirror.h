@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/light/rig/rig_planes.h"
 #include "keiko/render/reflection/reflected_footprint.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/memory.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/intersect/hit/hit.h"
 #include "keiko/math/rgb.h"
 #include "keiko/render/reflection/reflected_footprint.h"
@@ -67,10 +67,9 @@ public:
         return {ray<Real>(place, load), ray<Real>(place - 1, load), ray<Real>(place + 1, load),
                 ray<Real>(place - width, load), ray<Real>(place + width, load)};
     }
-    /// Differentials of a ray that was set with them.
-    RayDifferentials differentials(std::size_t place) const {
-        return {vector(origin_dx, place), vector(origin_dy, place), vector(direction_dx, place),
-                vector(direction_dy, place)};
+    /// Ray of a place that was set with differentials.
+    PixelRay ray(std::size_t place) const {
+        return ray<double>(place, [](const double* number) { return *number; });
     }
 
 private:
@@ -168,7 +167,7 @@ inline Ray ReflectedGrid::ray(std::size_t place) const {
     Ray ray;
     ray.origin = numbers_.vector(ReflectedRays::origin, place);
     ray.direction = numbers_.vector(ReflectedRays::direction, place);
-    if (known_[place] == Known::differentials) ray.differentials = numbers_.differentials(place);
+    if (known_[place] == Known::differentials) ray.differentials = numbers_.ray(place).spread;
     return ray;
 }
 

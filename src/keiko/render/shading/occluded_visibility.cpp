@@ -14,7 +14,7 @@ std::vector<IntervalSet> seen_by(const VisibilityQuery& view, std::span<const Se
     return seen;
 }
 
-struct ApexOf {
+struct ViewpointOf {
     Viewpoint operator()(const CPlane& plane) const { return Viewpoint::at(plane.origin); }
     template <PointLight Light>
     Viewpoint operator()(const Light& light) const {
@@ -124,7 +124,7 @@ VolumetricShadows::VolumetricShadows(const LightRig& rig, const Occluders* occlu
         const bool in_pencil = !pencils.empty() && pencils[i];
         std::vector<Segment> parts = lit_parts(source, camera_rays);
         std::vector<Vec3> region = region_of(parts);
-        seen_.emplace_back(occluders, tracer, std::visit(ApexOf(), source), std::move(region),
+        seen_.emplace_back(occluders, tracer, std::visit(ViewpointOf(), source), std::move(region),
                            std::move(parts), std::optional<Vec3>(),
                            in_pencil ? &*pencils[i] : nullptr);
     }

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/visibility/epipolar/epipolar_shadows.h"
-#include "keiko/visibility/query/occluders.h"
+#include "keiko/visibility/query/visibility_query.h"
 
 #include <optional>
 #include <span>

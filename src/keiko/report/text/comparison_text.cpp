@@ -1,4 +1,5 @@
 #include "keiko/base/text.h"
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/report/content/comparison.h"
 #include "keiko/report/markup/html_text.h"
 
@@ -48,8 +49,8 @@ std::string mark_of(const ComparisonCheck& check) {
 
 /// "face 1 (left) and face 2 (right)"
 std::string sides_of(std::string faces) {
-    if (const std::size_t bar = faces.find(" | "); bar != std::string::npos)
-        faces.replace(bar, 3, " and ");
+    if (const std::size_t bar = faces.find(between_faces); bar != std::string::npos)
+        faces.replace(bar, between_faces.size(), " and ");
     return faces;
 }
 

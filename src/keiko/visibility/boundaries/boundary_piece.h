@@ -3,7 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_curve.h"
 #include "keiko/geometry/model/surface_model.h"
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/intersect/traversal/tracer.h"
 
 #include <array>

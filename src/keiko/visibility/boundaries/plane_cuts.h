@@ -2,8 +2,8 @@
 
 #include "keiko/geometry/bernstein/bernstein.h"
 #include "keiko/geometry/bernstein/de_casteljau.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/geometry/visibility/ray.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
 
 #include <algorithm>

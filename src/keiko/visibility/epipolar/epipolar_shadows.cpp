@@ -3,8 +3,8 @@
 #include "keiko/base/parallel.h"
 #include "keiko/visibility/epipolar/epipolar_curve.h"
 #include "keiko/visibility/query/event_intervals.h"
+#include "keiko/visibility/query/occluder_scene.h"
 #include "keiko/visibility/query/scan_plane.h"
-#include "keiko/visibility/query/visibility_query.h"
 
 #include <algorithm>
 #include <array>
@@ -48,7 +48,7 @@ Box2 face_box(const OccluderPatch& patch, std::span<const Vec2> places) {
 
 class EpipolarShadows::Planes {
 public:
-    Planes(const Occluders::Scene& scene, const Tracer& tracer, const Vec3& light, const Vec3& eye,
+    Planes(const OccluderScene& scene, const Tracer& tracer, const Vec3& light, const Vec3& eye,
            const Job& job)
         : scene_(scene), tracer_(tracer), viewpoint_(Viewpoint::at(light)), axes_(light, eye) {
         std::vector<BoundaryPiece> curves;
@@ -75,7 +75,7 @@ private:
     /// Whether a line is on material there; mixed: nobody knows.
     TrimSide side_at(const EdgeLine& edge, double t) const;
 
-    const Occluders::Scene& scene_;
+    const OccluderScene& scene_;
     const Tracer& tracer_;
     Viewpoint viewpoint_;
     EpipolarAxes axes_;
@@ -200,20 +200,20 @@ std::vector<IntervalSet> EpipolarShadows::Planes::intervals(
                                           : SegmentPlane::through(viewpoint_, ends.a, ends.b));
     Pieces pieces;
     IntervalClasses groups;
-    std::vector<std::size_t> first_gap;
+    std::vector<std::size_t> first_interval;
     std::vector<VisibilityEvent> events;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        first_gap.push_back(groups.size());
+        first_interval.push_back(groups.size());
         if (!planes[i]) continue;
         events.clear();
         find_events(*planes[i], pieces, events);
         groups.add(*planes[i], event_intervals(events, {0, 1}));
     }
-    first_gap.push_back(groups.size());
+    first_interval.push_back(groups.size());
     groups.classify(tracer_);
     std::vector<IntervalSet> seen;
     for (std::size_t i = 0; i < segments.size(); ++i) {
-        const std::size_t first = first_gap[i], count = first_gap[i + 1] - first;
+        const std::size_t first = first_interval[i], count = first_interval[i + 1] - first;
         // Towards the light, with nothing across it, a segment is seen as its middle is.
         const auto whole = [&] { return sees((segments[i].a + segments[i].b) / 2); };
         seen.push_back(planes[i] ? groups.seen(first, count)

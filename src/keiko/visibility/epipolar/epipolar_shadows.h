@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/visibility/query/occluders.h"
 

@@ -26,7 +26,7 @@ ContourExtrema::ContourExtrema(const Viewpoint& viewpoint, const ScanPlane& scre
       begin_(std::min(ends.begin, ends.end)),
       length_(std::abs(ends.length())),
       width_(prism.across_high - prism.across_low),
-      gap_(rule.gap),
+      spacing_(rule.spacing),
       missed_(rule.missed) {}
 
 void ContourExtrema::add_border(const BoundaryPiece& border) {
@@ -40,11 +40,11 @@ void ContourExtrema::add_fold(const BoundaryPiece& line) {
 void ContourExtrema::add_unclear(const ScanBounds& box) {
     const double run = std::min((box.along_high - box.along_low) / length_, 1.0);
     for (const double across : {box.across_low, box.across_high})
-        add((across - prism_.across_low) / width_, run * gap_ / 2, 0, true);
+        add((across - prism_.across_low) / width_, run * spacing_ / 2, 0, true);
 }
 
 bool ContourExtrema::leaves_out(const ScanBounds& box) {
-    const double missed = (box.along_high - box.along_low) / length_ * gap_ / 2;
+    const double missed = (box.along_high - box.along_low) / length_ * spacing_ / 2;
     if (!(left_out_ + missed <= of_short * missed_)) return false;
     left_out_ += missed;
     return true;
@@ -201,13 +201,14 @@ ContourExtrema::Run ContourExtrema::clipped(const BoundaryPiece& line,
     return run;
 }
 
-/// Share of the prism's light that lines a gap apart may miss if they do not know one end of a run.
+/// Share of the prism's light that lines one spacing apart may miss if they do not know one end of
+/// a run.
 double ContourExtrema::weight(const Run& run) const {
     const double all = std::abs(run.to - run.from), across = std::abs(run.b - run.a);
     const double inside = std::max(
         std::min(std::max(run.a, run.b), 1.0) - std::max(std::min(run.a, run.b), 0.0), 0.0);
-    if (!(across > one_place)) return all * gap_ / 2;
-    return std::min(kink(all / across), all * (inside / across) * gap_ / 2);
+    if (!(across > one_place)) return all * spacing_ / 2;
+    return std::min(kink(all / across), all * (inside / across) * spacing_ / 2);
 }
 
 void ContourExtrema::add_run(const Run& run, const Part& part) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/visibility/query/scan_plane.h"
 #include "keiko/visibility/silhouettes/view_volume.h"
@@ -98,7 +98,7 @@ private:
     void add_run(const Run& run, const Part& part);
     double where(const BoundaryPiece& line, const BoundaryPiece::Curve& curve, double along) const;
     double weight(const Run& run) const;
-    double kink(double slope) const { return slope * gap_ * gap_ / 8; }
+    double kink(double slope) const { return slope * spacing_ * spacing_ / 8; }
     void add(double across, double weight, int dark, bool jump);
     int dark_side(const BoundaryPiece& line, const BoundaryPiece::Curve& curve) const;
     std::vector<Turn> turning_ends() const;
@@ -109,7 +109,7 @@ private:
     const ViewVolume& volume_;
     ScanBounds prism_;
     double begin_, length_, width_;
-    double gap_, missed_; ///< of the rule
+    double spacing_, missed_; ///< of the rule
     double left_out_ = 0;
     std::vector<Turn> turns_;
     std::vector<End> ends_;

@@ -11,8 +11,9 @@
 
 namespace keiko {
 
-/// Share of a segment below which parts and gaps are dropped (docs/theory/visibility.md#events).
-constexpr double shortest_gap = 1e-9;
+/// Share of a segment below which visible parts and the intervals between them are dropped
+/// (docs/theory/visibility.md#events).
+constexpr double shortest_interval = 1e-9;
 
 /// A stretch of a segment between two events: seen or hidden as a whole.
 struct EventInterval {
@@ -26,29 +27,29 @@ struct EventInterval {
     double inside() const { return begin + 0.4863 * length(); }
 };
 
-/// The stretches of `asked` between events, sorted here; those of shortest_gap and less are
+/// The stretches of `asked` between events, sorted here; those of shortest_interval and less are
 /// dropped.
 std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& events,
                                            const ParameterInterval& asked);
 
-/// Gaps of several segments; some are known to be visible or hidden together: one ray
+/// Event intervals of several segments. Some are known to be visible or hidden together: one ray
 /// classifies each group that is still unknown.
 class IntervalClasses {
 public:
-    /// Adds a segment's gaps; returns the number of the first of them, the others follow. `plane`
-    /// must stay where it is until classify() is done.
-    std::size_t add(const SegmentPlane& plane, std::span<const EventInterval> gaps);
-    /// Puts the groups of two gaps together.
+    /// Adds a segment's intervals; returns the number of the first of them, the others follow.
+    /// `plane` must stay where it is until classify() is done.
+    std::size_t add(const SegmentPlane& plane, std::span<const EventInterval> intervals);
+    /// Puts the groups of two intervals together.
     void join(std::size_t a, std::size_t b) { leader_[root(a)] = root(b); }
     /// Asks for all groups at once.
     void classify(const Tracer& tracer);
     /// Visible parts of a segment, after classify(): `first` as add() returned it.
     IntervalSet seen(std::size_t first, std::size_t count) const;
 
-    /// The i-th gap; its `dark` is that of its group after classify().
-    const EventInterval& gap(std::size_t i) const { return gaps_[i]; }
-    /// Number of gaps of all segments.
-    std::size_t size() const { return gaps_.size(); }
+    /// The i-th interval; its `dark` is that of its group after classify().
+    const EventInterval& interval(std::size_t i) const { return intervals_[i]; }
+    /// Number of intervals of all segments.
+    std::size_t size() const { return intervals_.size(); }
 
 private:
     std::size_t root(std::size_t i) {
@@ -56,7 +57,7 @@ private:
         return i;
     }
 
-    std::vector<EventInterval> gaps_;
+    std::vector<EventInterval> intervals_;
     std::vector<std::size_t> leader_;
     std::vector<const SegmentPlane*> planes_;
 };
@@ -68,7 +69,7 @@ inline std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& 
     constexpr double same_event = 1e-11;
     std::erase_if(events, [&](const auto& e) { return !(e.t >= asked.begin && e.t <= asked.end); });
     std::sort(events.begin(), events.end(), [](const auto& x, const auto& y) { return x.t < y.t; });
-    std::vector<EventInterval> gaps;
+    std::vector<EventInterval> intervals;
     EventInterval open{asked.begin, asked.end, false};
     for (std::size_t i = 0; i < events.size();) {
         std::size_t next = i;
@@ -81,56 +82,57 @@ inline std::vector<EventInterval> event_intervals(std::vector<VisibilityEvent>& 
         const bool sure = all && below != above;
         open.end = events[i].t;
         open.dark = open.dark || (sure && below);
-        gaps.push_back(open);
+        intervals.push_back(open);
         open = {events[next - 1].t, asked.end, sure && above};
         i = next;
     }
-    gaps.push_back(open);
-    std::erase_if(gaps, [](const EventInterval& g) { return !(g.length() > shortest_gap); });
-    return gaps;
+    intervals.push_back(open);
+    std::erase_if(intervals,
+                  [](const EventInterval& g) { return !(g.length() > shortest_interval); });
+    return intervals;
 }
 
 inline std::size_t IntervalClasses::add(const SegmentPlane& plane,
-                                        std::span<const EventInterval> gaps) {
-    const std::size_t first = gaps_.size();
-    for (const EventInterval& gap : gaps) {
-        leader_.push_back(gaps_.size());
-        gaps_.push_back(gap);
+                                        std::span<const EventInterval> intervals) {
+    const std::size_t first = intervals_.size();
+    for (const EventInterval& interval : intervals) {
+        leader_.push_back(intervals_.size());
+        intervals_.push_back(interval);
         planes_.push_back(&plane);
     }
     return first;
 }
 
 inline void IntervalClasses::classify(const Tracer& tracer) {
-    std::vector<bool> dark(gaps_.size());
-    std::vector<std::size_t> longest(gaps_.size());
-    for (std::size_t i = 0; i < gaps_.size(); ++i) longest[i] = i;
-    for (std::size_t i = 0; i < gaps_.size(); ++i) {
+    std::vector<bool> dark(intervals_.size());
+    std::vector<std::size_t> longest(intervals_.size());
+    for (std::size_t i = 0; i < intervals_.size(); ++i) longest[i] = i;
+    for (std::size_t i = 0; i < intervals_.size(); ++i) {
         const std::size_t group = root(i);
-        dark[group] = dark[group] || gaps_[i].dark;
-        if (gaps_[i].length() > gaps_[longest[group]].length()) longest[group] = i;
+        dark[group] = dark[group] || intervals_[i].dark;
+        if (intervals_[i].length() > intervals_[longest[group]].length()) longest[group] = i;
     }
     std::vector<Ray> rays;
     std::vector<std::size_t> asked;
-    for (std::size_t i = 0; i < gaps_.size(); ++i)
+    for (std::size_t i = 0; i < intervals_.size(); ++i)
         if (leader_[i] == i && !dark[i]) {
             const SegmentPlane& plane = *planes_[longest[i]];
-            rays.push_back(plane.viewpoint().ray_to(plane.at(gaps_[longest[i]].inside())));
+            rays.push_back(plane.viewpoint().ray_to(plane.at(intervals_[longest[i]].inside())));
             asked.push_back(i);
         }
     const std::vector<bool> hidden = tracer.any(std::span<const Ray>(rays));
     for (std::size_t k = 0; k < asked.size(); ++k) dark[asked[k]] = hidden[k];
-    for (std::size_t i = 0; i < gaps_.size(); ++i) gaps_[i].dark = dark[root(i)];
+    for (std::size_t i = 0; i < intervals_.size(); ++i) intervals_[i].dark = dark[root(i)];
 }
 
 inline IntervalSet IntervalClasses::seen(std::size_t first, std::size_t count) const {
     std::vector<ParameterInterval> parts;
-    for (const EventInterval& gap : std::span(gaps_).subspan(first, count)) {
-        if (gap.dark) continue;
-        if (!parts.empty() && gap.begin - parts.back().end <= shortest_gap)
-            parts.back().end = gap.end;
+    for (const EventInterval& interval : std::span(intervals_).subspan(first, count)) {
+        if (interval.dark) continue;
+        if (!parts.empty() && interval.begin - parts.back().end <= shortest_interval)
+            parts.back().end = interval.end;
         else
-            parts.push_back({gap.begin, gap.end});
+            parts.push_back({interval.begin, interval.end});
     }
     return IntervalSet(std::move(parts));
 }

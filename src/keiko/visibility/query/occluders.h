@@ -2,27 +2,17 @@
 
 #include "keiko/base/export.h"
 #include "keiko/base/job.h"
-#include "keiko/geometry/visibility/ray.h"
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/model/surface_model.h"
 #include "keiko/intersect/traversal/tracer.h"
-#include "keiko/math/interval_set.h"
+#include "keiko/math/vec.h"
 
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
 namespace KEIKO_API keiko {
 
-/// Visible parts of a segment from one viewpoint.
-struct VisibleIntervals {
-    IntervalSet intervals; ///< of the segment's parameter, 0 at its begin, 1 at its end
-    /// False where events could not be separated: an end may be wrong, or a narrow part missing
-    /// there.
-    bool certain = true;
-};
-
-class VisibilityQuery;
+struct OccluderScene;
 
 /// Silhouettes and borders of a model, prepared for visibility queries from many viewpoints. The
 /// ends of visible parts are found on the surfaces by Newton's method, to some 1e-12 of the
@@ -43,7 +33,7 @@ public:
         double build_seconds = 0;                               ///< wall-clock time
     };
     /// Size and cost of the preparation.
-    const Statistics& statistics() const;
+    const Statistics& statistics() const { return statistics_; }
 
     /// False where all of the hull of `places` is proved to see all of the hull of `region` or
     /// nothing of it, since nothing between can be edge-on. No surface may cross the hull of
@@ -55,46 +45,8 @@ public:
 private:
     friend class VisibilityQuery;
     friend class EpipolarShadows;
-    struct Scene;
-    std::unique_ptr<Scene> scene_;
-};
-
-/// Visibility from one viewpoint: candidates are collected once, for all segments of a region.
-/// Candidates in visibility_query.h finds the events that end visible parts. Not for two threads at
-/// once.
-class VisibilityQuery {
-public:
-    /// `region`: corners of a convex body that holds every segment to come. Looks into the
-    /// occluders and into `tracer`, which are of one model. With `facing`, a unit normal, only what
-    /// lies on its side of the plane through the viewpoint is looked for, the rest counts as
-    /// hidden: what a surface is lit from.
-    VisibilityQuery(const Occluders& occluders, const Tracer& tracer, const Viewpoint& viewpoint,
-                    std::span<const Vec3> region, const std::optional<Vec3>& facing = {});
-    ~VisibilityQuery();
-    /// Takes over the candidates of another.
-    VisibilityQuery(VisibilityQuery&&) noexcept;
-    /// Takes over the candidates of another.
-    VisibilityQuery& operator=(VisibilityQuery&&) noexcept;
-
-    /// Parts of the segment from a to b such that nothing lies between them and the viewpoint.
-    /// Parts and gaps shorter than 1e-9 of the segment are dropped. A segment without length is
-    /// seen as a whole or not at all.
-    VisibleIntervals intervals(const Segment& segment) const;
-    /// Visible parts of several segments. Parallel ones are scan lines of a screen on which every
-    /// candidate is placed once, and share rays (docs/theory/visibility.md).
-    std::vector<VisibleIntervals> intervals(std::span<const Segment> row) const;
-
-    /// Visibility of whole prisms, all in the region: true where a prism is proved visible, false
-    /// where it is proved hidden, nothing where neither is proved. The part of it on the side that
-    /// is not faced does not count.
-    std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const;
-    /// Turns of a prism in the region. Some are left out that together make lines `rule.gap` apart
-    /// miss no more than `rule.missed` of the prism, and those of the viewpoint's own patch.
-    std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const;
-
-private:
-    class Candidates;
-    std::unique_ptr<Candidates> candidates_;
+    std::unique_ptr<OccluderScene> scene_;
+    Statistics statistics_;
 };
 
 } // namespace keiko

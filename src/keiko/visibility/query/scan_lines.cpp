@@ -1,5 +1,5 @@
 #include "keiko/visibility/boundaries/plane_cuts.h"
-#include "keiko/visibility/query/visibility_query.h"
+#include "keiko/visibility/query/occluder_candidates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,7 @@ void find_free(std::vector<ParameterInterval>& blocked, double low, double high,
 
 } // namespace
 
-const VisibilityQuery::Candidates::Screen& VisibilityQuery::Candidates::screen_of(
-    const Vec3& along) const {
+const OccluderCandidates::Screen& OccluderCandidates::screen_of(const Vec3& along) const {
     if (screen_ && screen_->screen.is_along(along)) return *screen_;
     screen_.emplace(Screen{ScanPlane(viewpoint_, along, middle_), {}, {}, {}});
     if (!screen_->screen.regular()) return *screen_;
@@ -48,9 +47,8 @@ const VisibilityQuery::Candidates::Screen& VisibilityQuery::Candidates::screen_o
     return *screen_;
 }
 
-std::optional<std::vector<VisibilityQuery::Candidates::ScanLine>>
-VisibilityQuery::Candidates::scan_lines(const ScanPlane& screen,
-                                        std::span<const Segment> row) const {
+std::optional<std::vector<OccluderCandidates::ScanLine>> OccluderCandidates::scan_lines(
+    const ScanPlane& screen, std::span<const Segment> row) const {
     if (!screen.regular()) return std::nullopt;
     std::vector<ScanLine> lines;
     lines.reserve(row.size());
@@ -65,8 +63,8 @@ VisibilityQuery::Candidates::scan_lines(const ScanPlane& screen,
     return lines;
 }
 
-void VisibilityQuery::Candidates::scan(const Screen& screen, std::span<const ScanLine> scan_lines,
-                                       std::vector<Line>& lines) const {
+void OccluderCandidates::scan(const Screen& screen, std::span<const ScanLine> scan_lines,
+                              std::vector<Line>& lines) const {
     const auto each_crossed = [&](const ScanBounds& box, const auto& visit) {
         for (const ScanLine& l : between(scan_lines, box.across_low, box.across_high))
             if (box.along_low <= std::max(l.begin, l.end) &&
@@ -86,17 +84,16 @@ void VisibilityQuery::Candidates::scan(const Screen& screen, std::span<const Sca
         });
 }
 
-/// Two gaps of neighbouring lines are one where a way from one to the other along the screen meets
-/// no candidate: nothing that can change what is seen lies there.
-void VisibilityQuery::Candidates::join_neighbours(const Screen& screen,
-                                                  std::span<const ScanLine> scan_lines,
-                                                  std::span<const std::size_t> first_gap,
-                                                  IntervalClasses& groups) const {
-    const auto gaps_of = [&](const ScanLine& l, const auto& visit) {
-        for (std::size_t g = first_gap[l.line]; g < first_gap[l.line + 1]; ++g) {
-            const EventInterval& gap = groups.gap(g);
+/// Two intervals of neighbouring lines are one where a way from one to the other along the screen
+/// meets no candidate: nothing that can change what is seen lies there.
+void OccluderCandidates::join_neighbours(const Screen& screen, std::span<const ScanLine> scan_lines,
+                                         std::span<const std::size_t> first_interval,
+                                         IntervalClasses& groups) const {
+    const auto intervals_of = [&](const ScanLine& l, const auto& visit) {
+        for (std::size_t g = first_interval[l.line]; g < first_interval[l.line + 1]; ++g) {
+            const EventInterval& interval = groups.interval(g);
             const double step = l.end - l.begin;
-            visit(g, l.begin + step * gap.begin, l.begin + step * gap.end);
+            visit(g, l.begin + step * interval.begin, l.begin + step * interval.end);
         }
     };
     std::vector<ParameterInterval> blocked, free;
@@ -112,8 +109,8 @@ void VisibilityQuery::Candidates::join_neighbours(const Screen& screen,
         const double least = 1e-9 * (high - low);
         find_free(blocked, low, high, free);
         for (const ParameterInterval& way : free)
-            gaps_of(a, [&](std::size_t ga, double a0, double a1) {
-                gaps_of(b, [&](std::size_t gb, double b0, double b1) {
+            intervals_of(a, [&](std::size_t ga, double a0, double a1) {
+                intervals_of(b, [&](std::size_t gb, double b0, double b1) {
                     const double from = std::max({a0, b0, way.begin});
                     if (std::min({a1, b1, way.end}) - from > least) groups.join(ga, gb);
                 });
@@ -121,7 +118,7 @@ void VisibilityQuery::Candidates::join_neighbours(const Screen& screen,
     }
 }
 
-std::optional<std::vector<VisibleIntervals>> VisibilityQuery::Candidates::intervals_of_row(
+std::optional<std::vector<VisibleIntervals>> OccluderCandidates::intervals_of_row(
     std::span<const Segment> row) const {
     if (row.empty() || all_seen_) return std::nullopt;
     const Screen& screen = screen_of((row[0].b - row[0].a).normalized());
@@ -137,22 +134,22 @@ std::optional<std::vector<VisibleIntervals>> VisibilityQuery::Candidates::interv
     scan(screen, *scan_lines, lines);
 
     IntervalClasses groups;
-    std::vector<std::size_t> first_gap;
-    first_gap.reserve(row.size() + 1);
+    std::vector<std::size_t> first_interval;
+    first_interval.reserve(row.size() + 1);
     bool joinable = !region_touched_ && !has_horizon_;
     for (Line& line : lines) {
         add_own_events(line);
-        first_gap.push_back(groups.add(line.plane, event_intervals(line.events, line.asked)));
+        first_interval.push_back(groups.add(line.plane, event_intervals(line.events, line.asked)));
         joinable = joinable && line.certain && !line.searches_own;
     }
-    first_gap.push_back(groups.size());
-    if (joinable) join_neighbours(screen, *scan_lines, first_gap, groups);
+    first_interval.push_back(groups.size());
+    if (joinable) join_neighbours(screen, *scan_lines, first_interval, groups);
     groups.classify(*tracer_);
     std::vector<VisibleIntervals> parts;
     parts.reserve(row.size());
     for (std::size_t i = 0; i < lines.size(); ++i)
-        parts.push_back(
-            {groups.seen(first_gap[i], first_gap[i + 1] - first_gap[i]), lines[i].certain});
+        parts.push_back({groups.seen(first_interval[i], first_interval[i + 1] - first_interval[i]),
+                         lines[i].certain});
     return parts;
 }
 

@@ -2,8 +2,8 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/geometry/trim/trim_region.h"
-#include "keiko/geometry/visibility/ray.h"
 #include "keiko/visibility/nets/affine_bounds.h"
 #include "keiko/visibility/nets/degree_reduced_net.h"
 #include "keiko/visibility/nets/scalar_net.h"

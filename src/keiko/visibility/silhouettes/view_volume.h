@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/visibility/ray.h"
+#include "keiko/geometry/rays/ray.h"
 #include "keiko/math/bounds.h"
 #include "keiko/visibility/boundaries/boundary_piece.h"
 #include "keiko/visibility/silhouettes/silhouette_piece.h"

@@ -11,16 +11,17 @@ namespace {
 const TubeView view = *view_of({{-700, 40, 900}, {650, -20, 950}, 80, Rgb(1)}, Vec3(0),
                                Vec3(0.1, -0.2, 1).normalized());
 const LampWidth width(view, Vec3(0), TubeShape::cylinder, {});
-constexpr double gap = 0.5;
+constexpr double spacing = 0.5;
 
 /// Slice where some of the lamp's length begins to be hidden, or ceases to be.
 CriticalSlice turn_at(double place, double jump, int dark, bool at_once = true) {
     const SubAxis axis = width.sub_axis(place);
-    return {view.sideways * axis.sine - view.towards * axis.cosine, jump * gap / 2, dark, at_once};
+    return {view.sideways * axis.sine - view.towards * axis.cosine, jump * spacing / 2, dark,
+            at_once};
 }
 
 std::vector<WidthCut> cuts_of(const std::vector<CriticalSlice>& turns, double allowed, bool agree) {
-    return PenumbraBreakpoints(width, turns, gap).cuts(allowed, agree);
+    return PenumbraBreakpoints(width, turns, spacing).cuts(allowed, agree);
 }
 
 } // namespace

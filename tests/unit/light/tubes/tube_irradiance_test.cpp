@@ -1,6 +1,6 @@
 #include "keiko/light/tubes/tube_irradiance.h"
 
-#include "keiko/geometry/visibility/visibility.h"
+#include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/tubes/tube_lamp.h"
 #include "keiko/math/quadrature.h"
 

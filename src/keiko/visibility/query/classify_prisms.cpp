@@ -2,7 +2,7 @@
 #include "keiko/intersect/hit/surface_interaction.h"
 #include "keiko/math/vec.h"
 #include "keiko/visibility/nets/affine_bounds.h"
-#include "keiko/visibility/query/visibility_query.h"
+#include "keiko/visibility/query/occluder_candidates.h"
 
 #include <algorithm>
 #include <array>
@@ -149,8 +149,8 @@ bool may_cross(const BoundaryPiece& border, const BoundaryPiece::Curve& part,
 
 } // namespace
 
-bool VisibilityQuery::Candidates::own_may_cross(const ViewVolume& volume,
-                                                std::span<const Vec3> corners) const {
+bool OccluderCandidates::own_may_cross(const ViewVolume& volume,
+                                       std::span<const Vec3> corners) const {
     if (!normal_) return true;
     const ViewpointHorizon horizon{*normal_, least_elevation(viewpoint_, *normal_, corners)};
     return std::any_of(silhouettes_.own.begin(), silhouettes_.own.end(), [&](const auto& own) {
@@ -159,8 +159,7 @@ bool VisibilityQuery::Candidates::own_may_cross(const ViewVolume& volume,
     });
 }
 
-bool VisibilityQuery::Candidates::nothing_crosses(const Prism& prism,
-                                                  std::span<const Vec3> corners) const {
+bool OccluderCandidates::nothing_crosses(const Prism& prism, std::span<const Vec3> corners) const {
     const Screen& screen = screen_of((prism[0].b - prism[0].a).normalized());
     const auto along = [&](const Segment& edge) { return screen.screen.is_along(edge.b - edge.a); };
     if (!screen.screen.regular() || !std::all_of(prism.begin(), prism.end(), along)) return false;
@@ -189,7 +188,7 @@ bool VisibilityQuery::Candidates::nothing_crosses(const Prism& prism,
 /// A fold's tangent plane holds its line and the way to it. On the screen that has the slope
 /// -n_across / n_along of its normal n, which is at most `most_slope` where both mixtures of the
 /// two have one sign.
-bool VisibilityQuery::Candidates::runs_across(std::size_t i, double most_slope) const {
+bool OccluderCandidates::runs_across(std::size_t i, double most_slope) const {
     const SilhouetteCandidate& candidate = silhouettes_.pieces[i];
     const SilhouettePiece& piece = scene_->silhouettes.pieces[candidate.piece];
     const AffineBounds::Weighed& g = candidate.edge_on;
@@ -206,7 +205,7 @@ bool VisibilityQuery::Candidates::runs_across(std::size_t i, double most_slope) 
     return sign > 0;
 }
 
-void VisibilityQuery::Candidates::add_folds(std::size_t i, ContourExtrema& turns) const {
+void OccluderCandidates::add_folds(std::size_t i, ContourExtrema& turns) const {
     auto known = screen_->folds.find(i);
     if (known == screen_->folds.end())
         known = screen_->folds
@@ -219,8 +218,8 @@ void VisibilityQuery::Candidates::add_folds(std::size_t i, ContourExtrema& turns
     for (const BoundaryPiece& line : *lines) turns.add_fold(line);
 }
 
-std::vector<CriticalSlice> VisibilityQuery::Candidates::turns(const Prism& prism,
-                                                              const TurnRule& rule) const {
+std::vector<CriticalSlice> OccluderCandidates::turns(const Prism& prism,
+                                                     const TurnRule& rule) const {
     if (all_seen_ || viewpoint_.infinite()) return {};
     std::vector<Vec3> corners = corners_of(prism);
     if (facing_) corners = clip_to_half_space(viewpoint_, *facing_, corners);
@@ -239,8 +238,7 @@ std::vector<CriticalSlice> VisibilityQuery::Candidates::turns(const Prism& prism
 }
 
 /// Adds the outlines on the last screen that was used.
-void VisibilityQuery::Candidates::add_outlines(const ScanBounds& prism,
-                                               ContourExtrema& turns) const {
+void OccluderCandidates::add_outlines(const ScanBounds& prism, ContourExtrema& turns) const {
     for (std::size_t i = 0; i < screen_->borders.size(); ++i)
         if (screen_->borders[i].overlaps(prism) && !turns.leaves_out(screen_->borders[i]))
             turns.add_border(scene_->borders[borders_[i]]);
@@ -251,7 +249,7 @@ void VisibilityQuery::Candidates::add_outlines(const ScanBounds& prism,
             add_folds(i, turns);
 }
 
-std::vector<std::optional<bool>> VisibilityQuery::Candidates::classify_prisms(
+std::vector<std::optional<bool>> OccluderCandidates::classify_prisms(
     std::span<const Prism> prisms) const {
     if (all_seen_) return std::vector<std::optional<bool>>(prisms.size(), all_seen_);
     std::vector<std::optional<bool>> seen(prisms.size());

@@ -25,17 +25,17 @@ using Prism = std::array<Segment, 4>;
 
 /// Rule that selects the slices at outlines across a prism that matter to lines along it.
 struct TurnRule {
-    double gap = 1;    ///< between the lines, of the prism's width
-    double missed = 0; ///< largest part of the whole prism that all omitted ones together may hide
-                       ///< between lines
+    double spacing = 1; ///< between the lines, of the prism's width
+    double missed = 0;  ///< largest part of the whole prism that all omitted ones together may hide
+                        ///< between lines
 };
 
 /// A place across a prism where the visible part of its lines may have a jump or a kink. There the
 /// outline of an occluder begins, ends or turns back, runs along it, or leaves it by its ends.
 struct CriticalSlice {
     Vec3 way{0};       ///< from the viewpoint, at right angles to the prism
-    double missed = 0; ///< part of the prism that lines a gap apart may miss without knowledge of
-                       ///< it
+    double missed = 0; ///< part of the prism that lines one spacing apart may miss without
+                       ///< knowledge of it
     /// The side of it that is dark, by rising angle about the prism's direction: 1 or -1, or 0 if
     /// unknown.
     int dark = 0;
