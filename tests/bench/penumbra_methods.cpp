@@ -1,6 +1,5 @@
 #include "tests/bench/penumbra_methods.h"
 
-#include "keiko/light/rig/light_id.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_penumbra.h"
 #include "keiko/render/shading/direct_lighting.h"
@@ -19,7 +18,8 @@ namespace {
 using namespace test;
 
 std::vector<Vec3> region_of(const Receiver& at, const CPlane& row) {
-    return light_bounds(row, lamp_numbers(row), at.position);
+    const PreparedSource source(row);
+    return light_bounds(source, source.lamp_numbers(), at.position);
 }
 
 VisibilityQuery view_from(const PenumbraScene& scene, const Receiver& at, const CPlane& row) {

@@ -1,6 +1,6 @@
 #include "keiko/stream/light_points.h"
 
-#include "keiko/light/rig/light_id.h"
+#include "keiko/light/rig/prepared_rig.h"
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/stream/hit_columns.h"
 #include "keiko/stream/trace_rays.h"
@@ -34,12 +34,22 @@ std::vector<std::string> columns_of(const LightRig& rig) {
     return columns;
 }
 
+/// A scene with its rig, prepared once for all points.
+struct LitScene {
+    const Scene& scene;
+    std::vector<std::string> columns; ///< of the results
+    PreparedRig rig;
+
+    explicit LitScene(const Scene& lit)
+        : scene(lit), columns(columns_of(*lit.rig)), rig(*lit.rig) {}
+};
+
 /// Ends the points before the first that lies in a lamp.
-void end_before_lamps(ParsedRays& points, const RayLines& lines, const LightRig& rig) {
+void end_before_lamps(ParsedRays& points, const RayLines& lines, const LitScene& lit) {
     for (std::size_t i = 0; i < points.rays.size(); ++i)
-        for (std::size_t source = 0; source < rig.sources.size(); ++source)
-            if (within_lamp(rig.sources[source], points.rays[i].origin))
-                return end_before(points, lines, i, "lies in a lamp of " + columns_of(rig)[source],
+        for (std::size_t source = 0; source < lit.rig.sources.size(); ++source)
+            if (within_lamp(lit.rig.sources[source], points.rays[i].origin))
+                return end_before(points, lines, i, "lies in a lamp of " + lit.columns[source],
                                   point_header);
 }
 
@@ -64,14 +74,15 @@ Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
     return place;
 }
 
-std::vector<double> lux_at(const Scene& scene, const Ray& point) {
+std::vector<double> lux_at(const LitScene& in, const Ray& point) {
+    const Scene& scene = in.scene;
     const Vec3 normal = point.direction.normalized();
-    const DirectLighting lights(*scene.rig, scene.occluders ? &*scene.occluders : nullptr,
+    const DirectLighting lights(in.rig, scene.occluders ? &*scene.occluders : nullptr,
                                 scene.seen());
     const Place place = place_of(scene.seen(), point.origin, normal);
     constexpr TubeModel model = TubeModel::automatic;
     const PointLighting lit(
-        *scene.rig, place.position, normal, model, lights.lights(),
+        in.rig, place.position, normal, model, lights.lights(),
         lights.light_visibility(place.position, normal, place.root, lights.lights(), model, false));
     const std::vector<Rgb> by_light = lit.illuminance_by_light();
     std::vector<double> lux;
@@ -96,13 +107,13 @@ std::string row_of(const std::vector<double>& lux) {
     return row;
 }
 
-void light(const Scene& scene, Piece& piece) {
+void light(const LitScene& lit, Piece& piece) {
     ParsedRays parsed = rays_of(piece.lines, point_header);
-    end_before_lamps(parsed, piece.lines, *scene.rig);
+    end_before_lamps(parsed, piece.lines, lit);
     piece.fault = std::move(parsed.fault);
     piece.rows.clear();
     piece.lux.clear();
-    for (const Ray& point : parsed.rays) piece.lux.push_back(lux_at(scene, point));
+    for (const Ray& point : parsed.rays) piece.lux.push_back(lux_at(lit, point));
 }
 
 void require_points(std::uint64_t count) {
@@ -138,14 +149,15 @@ struct Column {
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job) {
     require_rig(scene);
+    const LitScene lit(scene);
     std::string header;
-    for (const std::string& column : columns_of(*scene.rig)) header += column + ',';
+    for (const std::string& column : lit.columns) header += column + ',';
     header.back() = '\n';
     std::uint64_t count = 0;
     if (!rows(header)) return count;
     RayLineReader reader(points, point_header);
     const auto work = [&](Piece& piece) {
-        light(scene, piece);
+        light(lit, piece);
         for (const std::vector<double>& lux : piece.lux) piece.rows += row_of(lux);
     };
     stream_rows<Piece>(reader, rows, job, work,
@@ -157,12 +169,13 @@ std::uint64_t light_points(const Scene& scene, const ByteSource& points, const B
 std::uint64_t summarize_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                                const Job& job) {
     require_rig(scene);
-    const std::vector<std::string> names = columns_of(*scene.rig);
+    const LitScene lit(scene);
+    const std::vector<std::string>& names = lit.columns;
     std::vector<Column> columns(names.size());
     std::uint64_t count = 0;
     RayLineReader reader(points, point_header);
     stream_rows<Piece>(
-        reader, rows, job, [&](Piece& piece) { light(scene, piece); },
+        reader, rows, job, [&](Piece& piece) { light(lit, piece); },
         [&](const Piece& piece) {
             count += piece.lux.size();
             for (const std::vector<double>& lux : piece.lux)

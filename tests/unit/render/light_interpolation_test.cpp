@@ -101,7 +101,8 @@ TEST(InterpolatedLight, OfExactTubesIsWhatNumbersTell) {
     };
     shaded.stage.camera.width = 96, shaded.stage.camera.height = 54;
     const Image exact = lux(TubeModel::automatic), quick = lux(TubeModel::picture);
-    const DirectLighting lights(shaded.stage.rig, &shaded.occluders, shaded.stage.tracer);
+    const PreparedRig rig(shaded.stage.rig);
+    const DirectLighting lights(rig, &shaded.occluders, shaded.stage.tracer);
     double farthest = 0;
     for (int y = 20; y < 40; ++y)
         for (int x = 30; x < 66; ++x) {
@@ -111,7 +112,7 @@ TEST(InterpolatedLight, OfExactTubesIsWhatNumbersTell) {
             const Vec3 side = hit->normal.dot(ray.direction) > 0 ? -hit->normal : hit->normal;
             constexpr TubeModel asked = TubeModel::automatic;
             const PointLighting lit(
-                shaded.stage.rig, hit->position, side, asked, lights.lights(),
+                rig, hit->position, side, asked, lights.lights(),
                 lights.light_visibility(hit->position, side, hit->root, lights.lights(), asked));
             double told = 0;
             for (const Rgb& light : lit.illuminance_by_light()) told += light.g;

@@ -88,9 +88,10 @@ TEST(Shadows, TakeHalfOfALampThatABoardHalfHides) {
     const auto under = [&](const LightRig& lights, const Occluders* shadows) {
         constexpr TubeModel asked = TubeModel::automatic;
         const Vec3 up(0, 0, 1);
-        const DirectLighting shadowed(lights, shadows, tracer);
+        const PreparedRig prepared(lights);
+        const DirectLighting shadowed(prepared, shadows, tracer);
         const PointLighting lit(
-            lights, hit->position, up, asked, shadowed.lights(),
+            prepared, hit->position, up, asked, shadowed.lights(),
             shadowed.light_visibility(hit->position, up, hit->root, shadowed.lights(), asked));
         return lit.illuminance_by_light()[0].r;
     };

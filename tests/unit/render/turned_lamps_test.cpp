@@ -51,7 +51,8 @@ struct TurnedScene {
         const Tracer tracer(model);
         const Occluders occluders(model, tracer);
         const LightRig lit = rig();
-        const DirectLighting shadowed(lit, &occluders, tracer);
+        const PreparedRig prepared(lit);
+        const DirectLighting shadowed(prepared, &occluders, tracer);
         return shadowed.light_visibility(turn(point), turn({0, 0, 1}), {}, shadowed.lights(),
                                          TubeModel::automatic)[0];
     }

@@ -75,7 +75,7 @@ struct Under {
     CPlane plane = row;
     Tracer tracer{model};
     Occluders occluders{model, tracer};
-    LightSource source{plane};
+    PreparedSource source{plane};
     std::vector<int> lamps{0, 1};
 
     OccludedVisibility past(const Vec3& point) const {

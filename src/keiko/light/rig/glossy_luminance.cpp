@@ -1,6 +1,5 @@
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
-#include "keiko/light/rig/light_id.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_hit.h"
@@ -26,17 +25,18 @@ public:
           quadrature_(quadrature),
           cone_(kernel.cone(least_share)) {}
 
-    std::vector<Rgb> operator()(const CPlane& plane) const {
-        const CPlaneFrame frame(plane);
-        const LampRange range = lamps_in_cone(frame, point_, kernel_.peak(), cone_);
+    std::vector<Rgb> operator()(const LampRow& row) const {
+        const CPlane& plane = row.plane;
+        const LampRange range = lamps_in_cone(row.frame, point_, kernel_.peak(), cone_);
         const auto outline = plane.mirror == MirrorModel::flat ? TubeOutline::rectangle
                              : plane.luminous_caps             ? TubeOutline::capped
                                                                : TubeOutline::lateral;
         std::vector<Rgb> sent(asked_.size());
         for (std::size_t k = 0; k < asked_.size(); ++k)
             if (asked_[k] >= range.begin && asked_[k] < range.end)
-                sent[k] = plane.luminance * from_lamp(lamp_of(frame, asked_[k], plane.luminance),
-                                                      seen_[k].axis, outline);
+                sent[k] =
+                    plane.luminance * from_lamp(lamp_of(row.frame, asked_[k], plane.luminance),
+                                                seen_[k].axis, outline);
         return sent;
     }
 
@@ -94,10 +94,10 @@ private:
 } // namespace
 
 template <class Kernel>
-Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>& medium,
+Rgb glossy_luminance_from(const PreparedSource& source, const std::optional<Medium>& medium,
                           const Vec3& point, const Kernel& kernel, const Visibility& visible,
                           GlossQuadrature quadrature) {
-    const std::vector<int> lamps = lamp_numbers(source);
+    const std::vector<int> lamps = source.lamp_numbers();
     const std::vector<LightVisibility> seen =
         light_visibilities(source, lamps, point, kernel.normal(), visible, TubeModel::preview);
     Rgb sum;
@@ -108,23 +108,23 @@ Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>
 }
 
 template <class Kernel>
-std::vector<Rgb> glossy_luminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource& source, std::span<const int> lamps,
                                           std::span<const LightVisibility> seen,
                                           const std::optional<Medium>& medium, const Vec3& point,
                                           const Kernel& kernel, GlossQuadrature quadrature) {
-    return std::visit(GlossReceiver(lamps, seen, medium, point, kernel, quadrature), source);
+    return std::visit(GlossReceiver(lamps, seen, medium, point, kernel, quadrature), source.kind());
 }
 
-template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
+template Rgb glossy_luminance_from(const PreparedSource&, const std::optional<Medium>&, const Vec3&,
                                    const GlossKernel&, const Visibility&, GlossQuadrature);
-template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&, const Vec3&,
+template Rgb glossy_luminance_from(const PreparedSource&, const std::optional<Medium>&, const Vec3&,
                                    const FlakeKernel&, const Visibility&, GlossQuadrature);
 
-template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&, std::span<const int>,
                                                    std::span<const LightVisibility>,
                                                    const std::optional<Medium>&, const Vec3&,
                                                    const GlossKernel&, GlossQuadrature);
-template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&, std::span<const int>,
                                                    std::span<const LightVisibility>,
                                                    const std::optional<Medium>&, const Vec3&,
                                                    const FlakeKernel&, GlossQuadrature);

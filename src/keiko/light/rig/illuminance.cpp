@@ -1,5 +1,4 @@
 #include "keiko/light/fog/transmittance.h"
-#include "keiko/light/rig/light_id.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_irradiance.h"
@@ -30,14 +29,13 @@ public:
           model_(model),
           coat_(coat) {}
 
-    std::vector<Rgb> operator()(const CPlane& plane) const {
-        const CPlaneFrame frame(plane);
-        const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
-        const TubeRowIrradiance comb(frame, point_, normal_, model);
+    std::vector<Rgb> operator()(const LampRow& row) const {
+        const CPlane& plane = row.plane;
+        const TubeRowIrradiance comb(row.frame, point_, normal_, row.diffuse_model(model_));
         const bool width = weighs_width(plane, model_);
         std::vector<Rgb> lx(asked_.size());
         for (std::size_t i = 0; i < asked_.size(); ++i) {
-            const TubeLamp lamp = lamp_of(frame, asked_[i], plane.luminance);
+            const TubeLamp lamp = lamp_of(row.frame, asked_[i], plane.luminance);
             if (!below_horizon(lamp, point_, normal_))
                 lx[i] = plane.luminance * (width ? lit_over_width(comb, asked_[i], lamp, seen_[i])
                                                  : lit_over(comb, asked_[i], lamp, seen_[i].axis));
@@ -149,10 +147,10 @@ private:
 
 } // namespace
 
-Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
+Rgb illuminance_from(const PreparedSource& source, const std::optional<Medium>& medium,
                      const Vec3& point, const Vec3& normal, const Visibility& visible,
                      TubeModel model, const ClearCoat* coat) {
-    const std::vector<int> lamps = lamp_numbers(source);
+    const std::vector<int> lamps = source.lamp_numbers();
     const std::vector<LightVisibility> seen =
         light_visibilities(source, lamps, point, normal, visible, model, coat || medium);
     Rgb sum;
@@ -162,11 +160,11 @@ Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& med
     return sum;
 }
 
-std::vector<Rgb> illuminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+std::vector<Rgb> illuminance_by_lamp(const PreparedSource& source, std::span<const int> lamps,
                                      std::span<const LightVisibility> seen,
                                      const std::optional<Medium>& medium, const Vec3& point,
                                      const Vec3& normal, TubeModel model, const ClearCoat* coat) {
-    return std::visit(Receiver(lamps, seen, medium, point, normal, model, coat), source);
+    return std::visit(Receiver(lamps, seen, medium, point, normal, model, coat), source.kind());
 }
 
 std::vector<Rgb> illuminance_by_source(const LightRig& rig, const Vec3& point, const Vec3& normal,

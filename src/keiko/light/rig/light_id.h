@@ -1,7 +1,5 @@
 #pragma once
 
-#include "keiko/light/rig/light_rig.h"
-
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -13,12 +11,6 @@ struct LightId {
     std::size_t source = 0; ///< index into LightRig::sources
     int lamp = 0;           ///< by rising v; 0 of a source that is no row
 };
-
-/// Numbers of the lamps of a source, from 0; only 0 for one that is no row.
-std::vector<int> lamp_numbers(const LightSource& source);
-
-/// All lights of a rig, by source, then by lamp.
-std::vector<LightId> lights_of(const LightRig& rig);
 
 /// Lights by rising source, then lamp, a source at a time: `visit(source, lamps, first)` receives
 /// the numbers of its lamps and the index of their first among the lights.
@@ -33,9 +25,5 @@ void each_source(std::span<const LightId> lights, const Visit& visit) {
         visit(source, lamps, first);
     }
 }
-
-/// True if a point (mm) lies inside the glass of one of the tubes of a source, or at a point light,
-/// where its light is undefined. The glass itself is outside.
-bool within_lamp(const LightSource& source, const Vec3& point);
 
 } // namespace keiko

@@ -27,22 +27,20 @@ public:
           model_(model),
           axes_(axes) {}
 
-    std::vector<LightVisibility> operator()(const CPlane& plane) const {
-        const CPlaneFrame frame(plane);
+    std::vector<LightVisibility> operator()(const LampRow& row) const {
         std::vector<LightVisibility> seen(asked_.size(), LightVisibility{{}, 0, 0});
         std::vector<std::size_t> above;
         std::vector<TubeLamp> lamps;
         above.reserve(asked_.size()), lamps.reserve(asked_.size());
         for (std::size_t i = 0; i < asked_.size(); ++i) {
-            lamps.push_back(lamp_of(frame, asked_[i], plane.luminance));
+            lamps.push_back(lamp_of(row.frame, asked_[i], row.plane.luminance));
             if (below_horizon(lamps.back(), point_, normal_))
                 lamps.pop_back();
             else
                 above.push_back(i);
         }
-        std::vector<LightVisibility> of_these = weighs_width(plane, model_)
-                                                    ? over_width(plane, frame, above, lamps)
-                                                    : along_axes(lamps);
+        std::vector<LightVisibility> of_these =
+            weighs_width(row.plane, model_) ? over_width(row, above, lamps) : along_axes(lamps);
         for (std::size_t k = 0; k < above.size(); ++k) seen[above[k]] = std::move(of_these[k]);
         return seen;
     }
@@ -75,11 +73,9 @@ private:
         }
         return seen;
     }
-    std::vector<LightVisibility> over_width(const CPlane& plane, const CPlaneFrame& frame,
-                                            std::span<const std::size_t> above,
+    std::vector<LightVisibility> over_width(const LampRow& row, std::span<const std::size_t> above,
                                             std::span<const TubeLamp> lamps) const {
-        const TubeModel model = plane.diffuse == TubeModel::automatic ? model_ : plane.diffuse;
-        const TubeRowIrradiance comb(frame, point_, normal_, model);
+        const TubeRowIrradiance comb(row.frame, point_, normal_, row.diffuse_model(model_));
         std::vector<std::vector<OccludingTube>> hiding;
         if (comb.overlapping())
             for (const std::size_t i : above) hiding.push_back(comb.hiding_tubes(asked_[i]));
@@ -126,11 +122,11 @@ bool weighs_width(const CPlane& plane, TubeModel model) {
                     plane.diffuse == TubeModel::strip || plane.diffuse == TubeModel::cylinder);
 }
 
-std::vector<LightVisibility> light_visibilities(const LightSource& source,
+std::vector<LightVisibility> light_visibilities(const PreparedSource& source,
                                                 std::span<const int> lamps, const Vec3& point,
                                                 const Vec3& normal, const Visibility& visible,
                                                 TubeModel model, bool axes) {
-    return std::visit(Looker(lamps, point, normal, visible, model, axes), source);
+    return std::visit(Looker(lamps, point, normal, visible, model, axes), source.kind());
 }
 
 } // namespace keiko

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/rays/visibility.h"
-#include "keiko/light/rig/light_rig.h"
+#include "keiko/light/rig/prepared_rig.h"
 #include "keiko/light/tubes/tube_penumbra.h"
 
 #include <optional>
@@ -28,7 +28,7 @@ bool weighs_width(const CPlane& plane, TubeModel model);
 /// queried with the segment from it to itself. Lights that cannot reach the point are not queried,
 /// and not visible. Without `axes`, lamps' axes are queried only if shadows are not weighed over
 /// the width, or caps shine.
-std::vector<LightVisibility> light_visibilities(const LightSource& source,
+std::vector<LightVisibility> light_visibilities(const PreparedSource& source,
                                                 std::span<const int> lamps, const Vec3& point,
                                                 const Vec3& normal, const Visibility& visible,
                                                 TubeModel model, bool axes = true);

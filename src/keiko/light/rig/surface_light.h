@@ -4,7 +4,6 @@
 #include "keiko/light/luminance/clear_coat.h"
 #include "keiko/light/luminance/flake_kernel.h"
 #include "keiko/light/luminance/gloss_kernel.h"
-#include "keiko/light/rig/light_rig.h"
 #include "keiko/light/rig/light_visibility.h"
 #include "keiko/light/tubes/tube_gloss.h"
 #include "keiko/light/tubes/tube_irradiance.h"
@@ -21,13 +20,13 @@ namespace keiko {
 /// one. `visible` is the visibility from that point; for a source without extent it is queried with
 /// the segment from it to itself. Lamps and beams that cannot reach the point are not queried. A
 /// row of lamps that names its own model keeps it. With a `coat` only light that enters it counts.
-Rgb illuminance_from(const LightSource& source, const std::optional<Medium>& medium,
+Rgb illuminance_from(const PreparedSource& source, const std::optional<Medium>& medium,
                      const Vec3& point, const Vec3& normal, const Visibility& visible,
                      TubeModel model = TubeModel::automatic, const ClearCoat* coat = nullptr);
 
 /// Illuminance from some lamps of a source, each by itself. Their visibility `seen` is that of
 /// light_visibilities() with the same `model`; with a coat or a medium it needs axes.
-std::vector<Rgb> illuminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+std::vector<Rgb> illuminance_by_lamp(const PreparedSource& source, std::span<const int> lamps,
                                      std::span<const LightVisibility> seen,
                                      const std::optional<Medium>& medium, const Vec3& point,
                                      const Vec3& normal, TubeModel model,
@@ -49,30 +48,32 @@ Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& norma
 /// other are each counted in full. Tubes outside of the lobe's cone, where it is below 1e-4 of its
 /// peak, do not count.
 template <class Kernel>
-Rgb glossy_luminance_from(const LightSource& source, const std::optional<Medium>& medium,
+Rgb glossy_luminance_from(const PreparedSource& source, const std::optional<Medium>& medium,
                           const Vec3& point, const Kernel& kernel, const Visibility& visible,
                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
 /// Luminance of some lamps of a source, each by itself. `seen` is the visibility of their axes, as
 /// returned by light_visibilities().
 template <class Kernel>
-std::vector<Rgb> glossy_luminance_by_lamp(const LightSource& source, std::span<const int> lamps,
+std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource& source, std::span<const int> lamps,
                                           std::span<const LightVisibility> seen,
                                           const std::optional<Medium>& medium, const Vec3& point,
                                           const Kernel& kernel,
                                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
-extern template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&,
+extern template Rgb glossy_luminance_from(const PreparedSource&, const std::optional<Medium>&,
                                           const Vec3&, const GlossKernel&, const Visibility&,
                                           GlossQuadrature);
-extern template Rgb glossy_luminance_from(const LightSource&, const std::optional<Medium>&,
+extern template Rgb glossy_luminance_from(const PreparedSource&, const std::optional<Medium>&,
                                           const Vec3&, const FlakeKernel&, const Visibility&,
                                           GlossQuadrature);
-extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+extern template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&,
+                                                          std::span<const int>,
                                                           std::span<const LightVisibility>,
                                                           const std::optional<Medium>&, const Vec3&,
                                                           const GlossKernel&, GlossQuadrature);
-extern template std::vector<Rgb> glossy_luminance_by_lamp(const LightSource&, std::span<const int>,
+extern template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&,
+                                                          std::span<const int>,
                                                           std::span<const LightVisibility>,
                                                           const std::optional<Medium>&, const Vec3&,
                                                           const FlakeKernel&, GlossQuadrature);

@@ -29,8 +29,8 @@ struct Corners {
     std::span<const int> lamps;
     const Vec3& point;
 
-    std::vector<Vec3> operator()(const CPlane& plane) const {
-        const CPlaneFrame frame(plane);
+    std::vector<Vec3> operator()(const LampRow& row) const {
+        const CPlaneFrame& frame = row.frame;
         const double r = frame.radius() * std::numbers::sqrt2; // of boxes in any orientation
         return box_around(frame, lamps.front(), lamps.back(), r, r);
     }
@@ -43,17 +43,17 @@ struct Corners {
 
 } // namespace
 
-std::vector<Vec3> light_bounds(const LightSource& source, std::span<const int> lamps,
+std::vector<Vec3> light_bounds(const PreparedSource& source, std::span<const int> lamps,
                                const Vec3& point) {
-    return std::visit(Corners{lamps, point}, source);
+    return std::visit(Corners{lamps, point}, source.kind());
 }
 
-std::vector<Vec3> lamp_corners(const LightSource& source, int lamp, const Vec3& point,
+std::vector<Vec3> lamp_corners(const PreparedSource& source, int lamp, const Vec3& point,
                                TubeModel model) {
-    const auto* row = std::get_if<CPlane>(&source);
+    const auto* row = std::get_if<LampRow>(&source.kind());
     if (!row) return light_bounds(source, {&lamp, 1}, point);
-    const CPlaneFrame frame(*row);
-    if (weighs_width(*row, model)) return box_around(frame, lamp, lamp, frame.radius(), 0);
+    const CPlaneFrame& frame = row->frame;
+    if (weighs_width(row->plane, model)) return box_around(frame, lamp, lamp, frame.radius(), 0);
     return {frame.at(0, frame.axis(lamp)), frame.at(frame.length, frame.axis(lamp))};
 }
 
@@ -63,7 +63,7 @@ std::vector<LightVisibility> DirectLighting::light_visibility(const Vec3& point,
                                                               TubeModel model, bool axes) const {
     std::vector<LightVisibility> all;
     each_source(lights, [&](std::size_t i, std::span<const int> lamps, std::size_t) {
-        const LightSource& source = rig_.sources[i];
+        const PreparedSource& source = rig_.sources[i];
         const OccludedVisibility visible(
             occluders_, tracer_, Viewpoint::at(point, root),
             occluders_ ? light_bounds(source, lamps, point) : std::vector<Vec3>(), {}, normal);
@@ -80,8 +80,8 @@ std::vector<LightVisibility> DirectLighting::light_visibility(const Vec3& point,
 bool DirectLighting::may_occlude(std::span<const Vec3> places, const LightId& light,
                                  const std::optional<Vec3>& facing, TubeModel model) const {
     if (!occluders_) return false;
-    const LightSource& source = rig_.sources[light.source];
-    const auto* sun = std::get_if<Sun>(&source);
+    const PreparedSource& source = rig_.sources[light.source];
+    const auto* sun = std::get_if<Sun>(&source.kind());
     if (sun && !sun->windows.empty()) return true; // their frames occlude it, too
     std::vector<Vec3> region;
     // Only the sun's position depends on the place.
@@ -92,7 +92,7 @@ bool DirectLighting::may_occlude(std::span<const Vec3> places, const LightId& li
 }
 
 std::vector<Rgb> PointLighting::illuminance_by_light(const ClearCoat* coat) const {
-    return by_light([&](const LightSource& source, std::span<const int> lamps,
+    return by_light([&](const PreparedSource& source, std::span<const int> lamps,
                         std::span<const LightVisibility> seen) {
         return illuminance_by_lamp(source, lamps, seen, rig_.medium, point_, normal_, model_, coat);
     });

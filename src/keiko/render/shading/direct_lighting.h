@@ -1,8 +1,8 @@
 #pragma once
 
 #include "keiko/light/rig/light_id.h"
-#include "keiko/light/rig/light_rig.h"
 #include "keiko/light/rig/light_visibility.h"
+#include "keiko/light/rig/prepared_rig.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/visibility/query/occluders.h"
 
@@ -14,23 +14,23 @@ namespace keiko {
 
 /// Corners of a box around some lamps of a source, by rising number, and those between them:
 /// everything that may light a surface, mm.
-std::vector<Vec3> light_bounds(const LightSource& source, std::span<const int> lamps,
+std::vector<Vec3> light_bounds(const PreparedSource& source, std::span<const int> lamps,
                                const Vec3& point);
 
 /// Corners of a convex body around the part of one lamp of a source that a point queries: a tube's
 /// axis, or all of it if shadows are weighed over its width.
-std::vector<Vec3> lamp_corners(const LightSource& source, int lamp, const Vec3& point,
+std::vector<Vec3> lamp_corners(const PreparedSource& source, int lamp, const Vec3& point,
                                TubeModel model);
 
 /// The sources of a rig as lights that the surfaces of a scene may occlude.
 class DirectLighting {
 public:
     /// Without occluders no shadows are cast. Keeps references to all.
-    DirectLighting(const LightRig& rig, const Occluders* occluders, const Tracer& tracer)
-        : rig_(rig), occluders_(occluders), tracer_(tracer), lights_(lights_of(rig)) {}
+    DirectLighting(const PreparedRig& rig, const Occluders* occluders, const Tracer& tracer)
+        : rig_(rig), occluders_(occluders), tracer_(tracer) {}
 
     /// All lights, by source, then by lamp.
-    const std::vector<LightId>& lights() const { return lights_; }
+    const std::vector<LightId>& lights() const { return rig_.lights; }
     /// Visibility of some lights from a point with a unit normal on the side to be lit, by source,
     /// then by lamp; for a point on a surface, `root` is its own. `axes`: see light_visibilities();
     /// rigs with a medium have them always.
@@ -45,10 +45,9 @@ public:
                      const std::optional<Vec3>& facing, TubeModel model) const;
 
 private:
-    const LightRig& rig_;
+    const PreparedRig& rig_;
     const Occluders* occluders_;
     const Tracer& tracer_;
-    std::vector<LightId> lights_;
 };
 
 /// Point of a surface or in space with the known visibility of some lights of a rig.
@@ -57,7 +56,7 @@ public:
     /// Point with a unit normal on the side to be lit. `lights` are by source, then by lamp; `seen`
     /// of each is as returned by DirectLighting::light_visibility for the same model. Keeps
     /// references to rig and lights.
-    PointLighting(const LightRig& rig, const Vec3& point, const Vec3& normal, TubeModel model,
+    PointLighting(const PreparedRig& rig, const Vec3& point, const Vec3& normal, TubeModel model,
                   std::span<const LightId> lights, std::vector<LightVisibility> seen)
         : rig_(rig),
           point_(point),
@@ -72,7 +71,7 @@ public:
     /// light.
     template <class Kernel>
     std::vector<Rgb> glossy_by_light(const Kernel& kernel) const {
-        return by_light([&](const LightSource& source, std::span<const int> lamps,
+        return by_light([&](const PreparedSource& source, std::span<const int> lamps,
                             std::span<const LightVisibility> seen) {
             return glossy_luminance_by_lamp(source, lamps, seen, rig_.medium, point_, kernel);
         });
@@ -94,7 +93,7 @@ private:
         return all;
     }
 
-    const LightRig& rig_;
+    const PreparedRig& rig_;
     Vec3 point_, normal_;
     TubeModel model_;
     std::span<const LightId> lights_;

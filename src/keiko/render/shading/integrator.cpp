@@ -22,7 +22,8 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
     : scene_(scene),
       options_(options),
       planes_(scene.rig),
-      lights_(scene.rig, scene.occluders, scene.tracer),
+      rig_(scene.rig),
+      lights_(rig_, scene.occluders, scene.tracer),
       tubes_(scene.occluders ? options.tubes : TubeModel::preview),
       tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)),
       refines_(options.edge_samples > 1),
@@ -161,8 +162,7 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
                                                   std::vector<LightVisibility> seen) const {
     const Paint& paint = paints_[point.place.paint];
     const Vec3& normal = point.place.normal;
-    const PointLighting lit(scene_.rig, point.place.position, normal, tubes_, lights,
-                            std::move(seen));
+    const PointLighting lit(rig_, point.place.position, normal, tubes_, lights, std::move(seen));
     std::vector<DirectLight> brought(lights.size());
     const auto each = [&](const std::vector<Rgb>& values, const auto& add) {
         for (std::size_t i = 0; i < values.size(); ++i) add(brought[i], values[i]);

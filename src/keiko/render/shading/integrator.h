@@ -150,7 +150,8 @@ private:
     RigPlanes planes_;
     LampKernels stripe_kernels_ = lamp_kernels();
     ReflectionKernel mirror_kernel_ = reflection_kernel();
-    DirectLighting lights_;
+    PreparedRig rig_;
+    DirectLighting lights_; ///< refers to rig_
     TubeModel tubes_;
     bool tells_illuminance_, refines_, keeps_hits_;
     bool mirrors_alone_ = true; ///< no paint takes light

@@ -1,5 +1,4 @@
-#include "keiko/light/rig/light_id.h"
-
+#include "keiko/light/rig/prepared_rig.h"
 #include "keiko/light/rig/surface_light.h"
 
 #include <gtest/gtest.h>
@@ -35,7 +34,8 @@ void expect_near(const Rgb& found, const Rgb& wanted) {
 } // namespace
 
 TEST(LightId, AreTheLampsOfRowsAndTheOtherSources) {
-    const std::vector<LightId> lights = lights_of({.name = {}, .sources = {spot, row, Sun{}}});
+    const LightRig rig{.name = {}, .sources = {spot, row, Sun{}}};
+    const std::vector<LightId> lights = PreparedRig(rig).lights;
     ASSERT_EQ(lights.size(), 7u);
     EXPECT_EQ(lights[0].source, 0u);
     EXPECT_EQ(lights[3].source, 1u);
@@ -88,7 +88,7 @@ TEST(LightId, LampsAddUpToTheirRow) {
     const Rgb all = illuminance_from(row, {}, point, normal, Unoccluded());
     ASSERT_GT(all.g, 0);
     expect_near(by_lamp(std::array{0, 3}) + by_lamp(std::array{1, 2, 4}), all);
-    expect_near(by_lamp(lamp_numbers(row)), all);
+    expect_near(by_lamp(PreparedSource(row).lamp_numbers()), all);
 }
 
 TEST(LightVisibility, IsLinearBetweenPointsThatSeeTheSameNumberOfParts) {

@@ -1,4 +1,4 @@
-#include "keiko/light/rig/light_id.h"
+#include "keiko/light/rig/prepared_rig.h"
 
 #include <gtest/gtest.h>
 

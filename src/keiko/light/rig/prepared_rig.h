@@ -1,0 +1,61 @@
+#pragma once
+
+#include "keiko/light/rig/light_id.h"
+#include "keiko/light/rig/light_rig.h"
+
+#include <concepts>
+#include <optional>
+#include <variant>
+#include <vector>
+
+namespace keiko {
+
+/// A row of lamps with the frame of its plane.
+struct LampRow {
+    CPlane plane;
+    CPlaneFrame frame; ///< of `plane`
+
+    /// Computes the frame.
+    explicit LampRow(const CPlane& row) : plane(row), frame(row) {}
+    /// The model for light on surfaces: the row's own, or `asked` where it leaves the choice.
+    TubeModel diffuse_model(TubeModel asked) const {
+        return plane.diffuse == TubeModel::automatic ? asked : plane.diffuse;
+    }
+};
+
+/// A light source with what its light on surfaces needs of it and no point changes. LightSource and
+/// each of its kinds convert to one.
+class PreparedSource {
+public:
+    /// Kinds of sources in the order of LightSource.
+    using Kind = std::variant<LampRow, Spotlight, Luminaire, Sun>;
+
+    template <std::convertible_to<LightSource> Source>
+    PreparedSource(const Source& source) : kind_(prepare(source)) {}
+
+    /// The source of its own kind.
+    const Kind& kind() const { return kind_; }
+    /// Numbers of its lamps, from 0; only 0 for a source that is no row.
+    std::vector<int> lamp_numbers() const;
+
+private:
+    static Kind prepare(const LightSource& source);
+
+    Kind kind_;
+};
+
+/// A rig prepared for light on surfaces, once for all points.
+struct PreparedRig {
+    std::vector<PreparedSource> sources; ///< in the order of the rig
+    std::vector<LightId> lights;         ///< all, by source, then by lamp
+    const std::optional<Medium>& medium; ///< the rig's own, which must outlive this
+
+    explicit PreparedRig(const LightRig& rig);
+    PreparedRig(LightRig&&) = delete;
+};
+
+/// True if a point (mm) lies inside the glass of one of the tubes of a source, or at a point light,
+/// where its light is undefined. The glass itself is outside.
+bool within_lamp(const PreparedSource& source, const Vec3& point);
+
+} // namespace keiko
