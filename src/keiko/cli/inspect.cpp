@@ -1,6 +1,7 @@
 #include "keiko/api/inspect.h"
 
 #include "keiko/api/results.h"
+#include "keiko/base/job_steps.h"
 #include "keiko/base/log.h"
 #include "keiko/base/text.h"
 #include "keiko/cli/inspection_options.h"
@@ -70,11 +71,13 @@ int inspect(InspectArguments arguments, const Job& job) {
     }
     require_view_names(options.views);
     options.combs = arguments.combs.options(options.join);
-    const Scene scene = arguments.scene.open(job);
+    constexpr double opening = 1, inspecting = 9;
+    JobSteps steps(job, opening + inspecting);
+    const Scene scene = arguments.scene.open(steps.next_of_steps(opening));
     arguments.scene.warn_of_axes(scene, options.views);
     options.picture.aovs = aovs_by_names(arguments.aovs);
     options.register_hits = !arguments.hits.empty();
-    const InspectResult result = inspect_scene(scene, options, job);
+    const InspectResult result = inspect_scene(scene, options, steps.next_of_steps(inspecting));
     FileTransaction outputs;
     outputs.add_folder(arguments.output, with_manifest(result_files(arguments.output, result)));
     if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));

@@ -2,6 +2,7 @@
 
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
+#include "keiko/base/job_steps.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/text.h"
 #include "keiko/cli/outputs.h"
@@ -99,9 +100,11 @@ int lines(LinesArguments arguments, const Job& job) {
         options.rig = arguments.rig;
         read_rig_aloud(arguments.rig); // a misspelt key is reported before the long work
     }
-    const Scene scene = arguments.scene.open(job);
+    constexpr double opening = 1, following = 3;
+    JobSteps steps(job, opening + following);
+    const Scene scene = arguments.scene.open(steps.next_of_steps(opening));
     arguments.scene.warn_of_axes(scene, options.views);
-    const LineList list = find_lines(scene, options, job);
+    const LineList list = find_lines(scene, options, steps.next_of_steps(following));
     write(arguments, scene, list, job);
     print_summary(list, arguments);
     return verdict_of(list) == Verdict::pass ? exit_pass : exit_findings;

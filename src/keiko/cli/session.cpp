@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -105,6 +106,7 @@ void ProgressBar::show(const Progress& progress) {
     const std::string stage = one_line(progress.stage);
     const bool new_stage = stage_ != stage;
     if (!new_stage && percent == percent_) return;
+    if (percent < percent_) began_ = Clock::now(); // of work that is told in several parts
     stage_ = stage;
     percent_ = percent;
     if (terminal_)
@@ -113,11 +115,25 @@ void ProgressBar::show(const Progress& progress) {
         tell(new_stage);
 }
 
+/// ", about 40 s left"; nothing while that cannot be told.
+std::string ProgressBar::time_left() const {
+    constexpr std::chrono::duration<double> least{2};
+    constexpr int least_percent = 5;
+    const std::chrono::duration<double> taken = Clock::now() - began_;
+    if (taken < least || percent_ < least_percent || percent_ >= 100) return "";
+    const auto left = static_cast<int>(std::ceil(taken.count() * (100 - percent_) / percent_));
+    constexpr int minute = 60, in_seconds = 90, step = 5;
+    return left > in_seconds
+               ? ", about " + std::to_string((left + minute / 2) / minute) + " min left"
+           : left > step ? ", about " + std::to_string((left + step - 1) / step * step) + " s left"
+                         : ", some seconds left";
+}
+
 void ProgressBar::draw() {
     constexpr int width = 32;
     const std::string done(static_cast<std::size_t>(percent_ * width / 100), '#');
-    std::fprintf(stderr, "\r\x1b[K%-12s [%-*s] %3d %%", stage_.c_str(), width, done.c_str(),
-                 percent_);
+    std::fprintf(stderr, "\r\x1b[K%-12s [%-*s] %3d %%%s", stage_.c_str(), width, done.c_str(),
+                 percent_, time_left().c_str());
 }
 
 void ProgressBar::tell(bool new_stage) {
@@ -126,7 +142,7 @@ void ProgressBar::tell(bool new_stage) {
     if (every_stage_ && new_stage)
         std::fprintf(stderr, "keiko: %s\n", stage_.c_str());
     else if (late)
-        std::fprintf(stderr, "keiko: %s, %d %%\n", stage_.c_str(), percent_);
+        std::fprintf(stderr, "keiko: %s, %d %%%s\n", stage_.c_str(), percent_, time_left().c_str());
     else
         return;
     told_ = Clock::now();

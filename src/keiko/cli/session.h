@@ -31,13 +31,14 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    std::string time_left() const;
     void draw();
     void tell(bool new_stage);
 
     bool quiet_, every_stage_, terminal_;
     std::string stage_;
     int percent_ = -1;
-    Clock::time_point told_ = Clock::now();
+    Clock::time_point began_ = Clock::now(), told_ = began_;
 };
 
 // The exit codes of every command.

@@ -49,6 +49,9 @@ struct Inspection {
     Verdict verdict = Verdict::pass;
 };
 
+/// Number of stages of inspect() in a job's progress.
+constexpr int inspection_stages = 7;
+
 /// Pairs, measures and judges every seam, and measures and judges every face. `join` in mm. Throws
 /// Cancelled.
 Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {}, double join = 0.5,

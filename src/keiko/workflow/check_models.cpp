@@ -1,5 +1,6 @@
 #include "keiko/workflow/check_models.h"
 
+#include "keiko/base/job_steps.h"
 #include "keiko/base/text.h"
 #include "keiko/compare/shape/symmetry.h"
 #include "keiko/geometry/trim/material_bounds.h"
@@ -37,15 +38,19 @@ std::vector<SeamProfile> profiles_of(const SurfaceModel& model, const Inspection
 CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
                          const Job& job) {
     const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
-    const SurfaceModel model = read_body(spec, options.load, job).model;
-    CheckResult result{inspect(model, options.preset, options.join, job)};
-    check_symmetry(model, result.inspection, job);
+    constexpr double reading = 2, measuring = 18, symmetry = 1, drawing = 1;
+    const bool combs = has_curves(options.combs);
+    JobSteps steps(job, reading + measuring + symmetry + drawing * (combs + options.profiles));
+    const SurfaceModel model = read_body(spec, options.load, steps.next(reading)).model;
+    CheckResult result{
+        inspect(model, options.preset, options.join, steps.next(measuring, inspection_stages))};
+    check_symmetry(model, result.inspection, steps.next(symmetry));
     accept_findings(result.inspection, options.acceptances);
-    if (has_curves(options.combs)) result.combs = combs_of(model, options.combs, job);
+    if (combs) result.combs = combs_of(model, options.combs, steps.next(drawing));
     if (options.profiles) {
         std::vector<std::uint32_t> all(result.inspection.seams.size());
         std::iota(all.begin(), all.end(), 0u);
-        result.profiles = profiles_of(model, result.inspection, all, job);
+        result.profiles = profiles_of(model, result.inspection, all, steps.next(drawing));
     }
     return result;
 }

@@ -1,5 +1,6 @@
 #include "keiko/workflow/compare_bodies.h"
 
+#include "keiko/base/job_steps.h"
 #include "keiko/compare/shape/deviation_map.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
@@ -59,14 +60,19 @@ void compare_geometry(const ClosestPointQuery& before, const ClosestPointQuery& 
     deviation.reach = options.reach > 0
                           ? options.reach
                           : fiftieth * material_bounds(before.body().model, job).size();
-    comparison.deviation = measure_deviation(after, before, deviation, job);
-    comparison.missing = measure_deviation(before, after, deviation, job);
+    constexpr int stages = 2;
+    JobSteps steps(job, 2);
+    comparison.deviation = measure_deviation(after, before, deviation, steps.next(1, stages));
+    comparison.missing = measure_deviation(before, after, deviation, steps.next(1, stages));
 }
 
 void compare_seams(const Scene& before, const Scene& after, const CompareBodiesOptions& options,
                    Comparison& comparison, const Job& job) {
-    comparison.inspection_before = inspect(before.model, options.preset, options.join, job);
-    comparison.inspection_after = inspect(after.model, options.preset, options.join, job);
+    JobSteps steps(job, 2);
+    comparison.inspection_before =
+        inspect(before.model, options.preset, options.join, steps.next(1, inspection_stages));
+    comparison.inspection_after =
+        inspect(after.model, options.preset, options.join, steps.next(1, inspection_stages));
     comparison.seams = compare_inspections(comparison.inspection_before,
                                            comparison.inspection_after, options.seams);
 }
@@ -125,12 +131,13 @@ OutlineBody outline_body(const Scene& scene, const ClosestPointQuery& feet, cons
 
 class ViewComparer {
 public:
+    static constexpr int stages = 6; ///< of a view
+
     ViewComparer(const ComparedScenes& scenes, const LightRig& rig,
-                 const CompareBodiesOptions& options, const Job& job)
+                 const CompareBodiesOptions& options)
         : scenes_(scenes),
           rig_(rig),
           options_(options),
-          job_(job),
           before_(outline_body(scenes.before, scenes.feet_before,
                                [&](std::uint32_t id) { return scenes.faces.name_before(id); })),
           after_(outline_body(scenes.after, scenes.feet_after,
@@ -139,26 +146,27 @@ public:
     }
 
     ComparedView compare(const NamedView& view, const JoinedLines& before, const JoinedLines& after,
-                         FolderContent& pngs) {
+                         FolderContent& pngs, const Job& job) {
         ComparedView compared;
         compared.picture.view = view.name;
-        compare_pictures(view.camera, compared, pngs);
-        draw_map(view.camera, compared, pngs);
-        compared.lines = line_shifts(before, after, options_.views->shift, job_);
-        compared.after_lines = line_shifts(after, before, options_.views->shift, job_);
+        compare_pictures(view.camera, compared, pngs, job);
+        draw_map(view.camera, compared, pngs, job);
+        compared.lines = line_shifts(before, after, options_.views->shift, job);
+        compared.after_lines = line_shifts(after, before, options_.views->shift, job);
         return compared;
     }
 
 private:
-    void compare_pictures(const Camera& camera, ComparedView& view, FolderContent& pngs) {
-        Film before = render_view(scenes_.before, rig_, camera, picture_, job_);
-        Film after = render_view(scenes_.after, rig_, camera, picture_, job_);
+    void compare_pictures(const Camera& camera, ComparedView& view, FolderContent& pngs,
+                          const Job& job) {
+        Film before = render_view(scenes_.before, rig_, camera, picture_, job);
+        Film after = render_view(scenes_.after, rig_, camera, picture_, job);
         scenes_.faces.rename_before(before), scenes_.faces.rename_after(after);
         const OutlineComparison outlines(before_, after_, camera, outline_tolerance(),
                                          scenes_.deviation.reach);
         FilmTolerance tolerance = options_.views->tolerance;
         view.outlines = outline_difference(outlines, before, after,
-                                           film_difference(before, after, tolerance), camera, job_);
+                                           film_difference(before, after, tolerance), camera, job);
         tolerance.flips = 0; // the remaining ones are measured to be too large
         const FilmDifference difference =
             film_difference(before, after, tolerance, &view.outlines.left_out);
@@ -171,9 +179,9 @@ private:
         return {tolerance.outline, tolerance.outline_pixels, tolerance.deviation, tolerance.normal};
     }
 
-    void draw_map(const Camera& camera, ComparedView& view, FolderContent& pngs) {
+    void draw_map(const Camera& camera, ComparedView& view, FolderContent& pngs, const Job& job) {
         const DeviationMap map = deviation_map(scenes_.after.tracer, camera, scenes_.feet_before,
-                                               scenes_.deviation.reach, job_);
+                                               scenes_.deviation.reach, job);
         const Image picture =
             signed_color_picture(map.distance, map.facing,
                                  map_scale(scenes_.deviation, options_.tolerance.deviation), "mm");
@@ -185,7 +193,6 @@ private:
     const ComparedScenes& scenes_;
     const LightRig& rig_;
     const CompareBodiesOptions& options_;
-    const Job& job_;
     OutlineBody before_, after_;
     PictureOptions picture_;
 };
@@ -195,17 +202,25 @@ private:
 void compare_views(const ComparedScenes& scenes, const CompareBodiesOptions& options,
                    CompareResult& result, const Job& job) {
     constexpr int automatic_views = 3;
+    constexpr double choosing = 1.5, placing = 3, following = 3, comparing = 5;
+    const auto count = static_cast<double>(
+        options.views->views.empty() ? automatic_views : options.views->views.size());
+    JobSteps steps(job, choosing + placing + (2 * following + comparing) * count);
     const std::vector<NamedView> views =
-        choose_views(scenes.before, options.views->views, automatic_views, job);
-    ChosenLights lights = choose_lights(scenes.before, options.views->rig, views, {}, job);
+        choose_views(scenes.before, options.views->views, automatic_views, steps.next(choosing));
+    ChosenLights lights =
+        choose_lights(scenes.before, options.views->rig, views, {}, steps.next(placing, 3));
     result.comparison.rig = source_of(lights, *options.views);
     result.rig = std::move(lights.rig);
-    ViewComparer comparer(scenes, *result.rig, options, job);
-    const auto before = lines_of(scenes.before, *result.rig, views, options, job);
-    const auto after = lines_of(scenes.after, *result.rig, views, options, job);
+    ViewComparer comparer(scenes, *result.rig, options);
+    const auto before = lines_of(scenes.before, *result.rig, views, options,
+                                 steps.next_of_steps(following * count));
+    const auto after =
+        lines_of(scenes.after, *result.rig, views, options, steps.next_of_steps(following * count));
     for (std::size_t i = 0; i < views.size(); ++i)
         result.comparison.views.push_back(
-            comparer.compare(views[i], before[i], after[i], result.comparison.pngs));
+            comparer.compare(views[i], before[i], after[i], result.comparison.pngs,
+                             steps.next(comparing, ViewComparer::stages, views[i].name)));
 }
 
 } // namespace
@@ -218,20 +233,24 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
     comparison.before = before.string(), comparison.after = after.string();
     if (options.mirror) comparison.after += ", mirrored at " + options.mirror->text();
     comparison.tolerance = options.tolerance;
-    const Scene scene_before = opened(before, options, job);
-    Scene scene_after = opened_after(after, options, job);
-    const ClosestPointQuery feet_before(placed_model(scene_before.model), job);
+    constexpr double opening = 2, aligning = 2, measuring = 4, inspecting = 16, viewing = 30;
+    JobSteps steps(job,
+                   2 * opening + aligning + measuring + inspecting + (options.views ? viewing : 0));
+    const Scene scene_before = opened(before, options, steps.next_of_steps(opening));
+    Scene scene_after = opened_after(after, options, steps.next_of_steps(opening));
+    const Job to_align = steps.next(aligning, 3);
+    const ClosestPointQuery feet_before(placed_model(scene_before.model), to_align);
     const ClosestPointQuery feet_after =
-        aligned(scene_after, feet_before, options, comparison, job);
+        aligned(scene_after, feet_before, options, comparison, to_align);
     comparison.faces_before = names_of(scene_before.model, feet_before.body());
     comparison.faces_after = names_of(scene_after.model, feet_after.body());
-    compare_geometry(feet_before, feet_after, options, comparison, job);
-    compare_seams(scene_before, scene_after, options, comparison, job);
+    compare_geometry(feet_before, feet_after, options, comparison, steps.next_of_steps(measuring));
+    compare_seams(scene_before, scene_after, options, comparison, steps.next_of_steps(inspecting));
     if (!options.views) return result;
     SharedFaces faces(feet_before.body(), comparison.missing, feet_after.body(),
                       comparison.deviation);
     compare_views({scene_before, scene_after, feet_before, feet_after, faces, comparison.deviation},
-                  options, result, job);
+                  options, result, steps.next_of_steps(viewing));
     return result;
 }
 

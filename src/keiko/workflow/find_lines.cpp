@@ -1,6 +1,7 @@
 #include "keiko/workflow/find_lines.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/job_steps.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
@@ -58,13 +59,17 @@ LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const Na
                      const LinesOptions& options, const Job& job) {
     const std::vector<CPlane> planes = planes_of(rig);
     LineList list{version(), rig.name, options.lines.look, options.preset, options.join, {}};
-    const LineSeams seams(scene.model, options.join, job);
+    constexpr double pairing = 0.2; // of what a view takes
+    constexpr int view_stages = 4;
+    JobSteps steps(job, pairing + static_cast<double>(views.size()));
+    const LineSeams seams(scene.model, options.join, steps.next(pairing, 2));
     for (const NamedView& view : views) {
+        const Job of_view = steps.next(1, view_stages, view.name);
         std::vector<SurfaceLine> pieces =
-            surface_lines(scene.model, scene.seen(), planes, view.camera, options.lines, job);
+            surface_lines(scene.model, scene.seen(), planes, view.camera, options.lines, of_view);
         list.views.push_back({view.name, view.camera,
                               join_lines(scene.model, seams, std::move(pieces), planes, view.camera,
-                                         options.lines.look, options.preset, job)});
+                                         options.lines.look, options.preset, of_view)});
     }
     return list;
 }
@@ -73,7 +78,11 @@ LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& 
     const LightRig rig = rig_for_lines(scene, options);
     if (!has_lines(rig))
         throw Error("", "rig '" + rig.name + "'", "has no C-plane, so that there are no lines");
-    return lines_under(scene, rig, choose_views(scene, options.views, 1, job), options, job);
+    constexpr double choosing = 1, following = 4;
+    JobSteps steps(job, choosing + following);
+    const std::vector<NamedView> views =
+        choose_views(scene, options.views, 1, steps.next(choosing));
+    return lines_under(scene, rig, views, options, steps.next_of_steps(following));
 }
 
 Image with_lines(const Film& film, const LineList& list, std::size_t view) {

@@ -1,5 +1,6 @@
 #include "keiko/workflow/inspect_scene.h"
 
+#include "keiko/base/job_steps.h"
 #include "keiko/compare/shape/symmetry.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
@@ -92,46 +93,88 @@ PictureOptions without_aovs(PictureOptions options) {
     return options;
 }
 
+/// Shares of the time of an inspection, as on the concept car and the hood of `surfaces`.
+struct InspectWeights {
+    static constexpr double choosing = 1.5, registering = 1, placing = 3, measuring = 18,
+                            symmetry = 1, picture = 2.5, lines = 3, triage = 1, combs = 1,
+                            close_ups = 8;
+};
+
+constexpr int automatic_views = 3;
+
+double weight_of(const InspectOptions& options) {
+    using W = InspectWeights;
+    const double views =
+        options.views.empty() ? automatic_views : static_cast<double>(options.views.size());
+    return W::choosing + W::placing + W::measuring + W::symmetry + (W::picture + W::lines) * views +
+           W::triage + W::close_ups + (options.register_hits ? W::registering : 0) +
+           (has_curves(options.combs) ? W::combs : 0);
+}
+
 Film with_only(Film film, const std::vector<Aov>& aovs) {
     for (const Aov aov : every_aov())
         if (std::find(aovs.begin(), aovs.end(), aov) == aovs.end()) film.aovs.erase(aov);
     return film;
 }
 
-} // namespace
-
-InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
-    constexpr int automatic_views = 3;
-    const std::vector<NamedView> views = choose_views(scene, options.views, automatic_views, job);
-    InspectResult result;
-    if (options.register_hits) result.hits = register_hits(scene.tracer, scene.model, views, job);
+/// The lamps of an inspection: given, of the scene, or placed.
+void choose_rig(const Scene& scene, const InspectOptions& options, std::span<const NamedView> views,
+                InspectResult& result, const Job& job) {
     PlacementOptions placing = options.placement;
     if (!options.rig && !scene.rig)
         placing.mirror =
             placement_mirror(scene.model, cameras_of(views), placing, options.symmetry, job);
     ChosenLights lights = choose_lights(scene, options.rig, views, placing, job);
     result.rig = std::move(lights.rig);
-    result.report.tool_version = version();
     if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
-    result.report.inspection = inspect(scene.model, options.preset, options.join, job);
-    check_symmetry(scene.model, result.report.inspection, job);
-    accept_findings(result.report.inspection, options.acceptances);
-    result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
+}
+
+Inspection measured(const Scene& scene, const InspectOptions& options, JobSteps& steps) {
+    Inspection found = inspect(scene.model, options.preset, options.join,
+                               steps.next(InspectWeights::measuring, inspection_stages));
+    check_symmetry(scene.model, found, steps.next(InspectWeights::symmetry));
+    accept_findings(found, options.acceptances);
+    found.facts.tracing = trace_facts(scene.tracer.statistics());
+    return found;
+}
+
+void render_views(const Scene& scene, const InspectOptions& options,
+                  std::span<const NamedView> views, InspectResult& result, JobSteps& steps) {
     const PictureOptions picture = with_look_layers(options.picture);
     for (const NamedView& view : views)
         result.films.emplace_back(view.name,
-                                  render_view(scene, result.rig, view.camera, picture, job));
+                                  render_view(scene, result.rig, view.camera, picture,
+                                              steps.next(InspectWeights::picture, 1, view.name)));
+}
+
+} // namespace
+
+InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
+    JobSteps steps(job, weight_of(options));
+    const std::vector<NamedView> views =
+        choose_views(scene, options.views, automatic_views, steps.next(InspectWeights::choosing));
+    InspectResult result;
+    result.report.tool_version = version();
+    if (options.register_hits)
+        result.hits = register_hits(scene.tracer, scene.model, views,
+                                    steps.next(InspectWeights::registering));
+    choose_rig(scene, options, views, result, steps.next(InspectWeights::placing, 3));
+    result.report.inspection = measured(scene, options, steps);
+    render_views(scene, options, views, result, steps);
     result.report.curvature_pictures =
         curvature_pictures(views, result.films, result.report.inspection);
-    add_lines(result.report, scene, result, options, views, job);
-    add_triage(result.report, scene, result, views, job);
+    add_lines(result.report, scene, result, options, views,
+              steps.next_of_steps(InspectWeights::lines * static_cast<double>(views.size())));
+    add_triage(result.report, scene, result, views, steps.next(InspectWeights::triage, 2));
     if (has_curves(options.combs)) {
-        result.combs = combs_of(scene.model, options.combs, job);
+        result.combs = combs_of(scene.model, options.combs, steps.next(InspectWeights::combs));
         result.report.combs = result.combs->pictures;
         result.report.comb_remarks = result.combs->remarks;
     }
+    const int shown = static_cast<int>(shown_items(result.report).size());
     result.report.close_ups =
-        close_ups(scene, result.rig, result.report, views, without_aovs(options.picture), job);
+        close_ups(scene, result.rig, result.report, views, without_aovs(options.picture),
+                  steps.next(InspectWeights::close_ups, shown, "close-ups"));
     result.aovs = options.picture.aovs;
     return result;
 }

@@ -1,5 +1,6 @@
 #include "keiko/workflow/open_scene.h"
 
+#include "keiko/base/job_steps.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/workflow/painted_body.h"
@@ -47,8 +48,10 @@ void Scene::set_picture_size(int wide, int high) {
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
                  const Job& job) {
     const SceneSpec spec = spec_of(inputs, options.material, options.frame);
-    auto [body, materials] = read_body(spec, options.load, job);
-    Traced all = traced(body, materials, spec.ground, options, job);
+    constexpr double reading = 3, building = 1;
+    JobSteps steps(job, reading + building);
+    auto [body, materials] = read_body(spec, options.load, steps.next(reading));
+    Traced all = traced(body, materials, spec.ground, options, steps.next(building));
     return {.model = std::move(body),
             .materials = std::move(materials),
             .tracer = std::move(all.tracer),
