@@ -23,7 +23,7 @@ public:
     Job next_of_steps(double weight);
 
 private:
-    /// Where the current step stands.
+    /// The state of the current step.
     struct Step {
         double begin = 0, length = 0; ///< shares of the whole
         int stages = 1;

@@ -106,7 +106,7 @@ void ProgressBar::show(const Progress& progress) {
     const std::string stage = one_line(progress.stage);
     const bool new_stage = stage_ != stage;
     if (!new_stage && percent == percent_) return;
-    if (percent < percent_) began_ = Clock::now(); // of work that is told in several parts
+    if (percent < percent_) began_ = Clock::now(); // of work that comes in several parts
     stage_ = stage;
     percent_ = percent;
     if (terminal_)
@@ -115,7 +115,7 @@ void ProgressBar::show(const Progress& progress) {
         tell(new_stage);
 }
 
-/// ", about 40 s left"; nothing while that cannot be told.
+/// ", about 40 s left"; nothing while that cannot be known.
 std::string ProgressBar::time_left() const {
     constexpr std::chrono::duration<double> least{2};
     constexpr int least_percent = 5;

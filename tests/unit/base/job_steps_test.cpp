@@ -8,22 +8,22 @@
 namespace keiko {
 namespace {
 
-struct Told {
+struct Report {
     std::string stage;
     double fraction;
 };
 
-/// A job that keeps what it is told.
+/// A job that keeps its reports.
 struct Listener {
-    std::vector<Told> told{};
+    std::vector<Report> reports{};
     Job job{.progress = [this](const Progress& p) {
-        told.push_back({std::string(p.stage), p.fraction});
+        reports.push_back({std::string(p.stage), p.fraction});
     }};
 
     void expect_last(const std::string& stage, double fraction) const {
-        ASSERT_FALSE(told.empty());
-        EXPECT_EQ(told.back().stage, stage);
-        EXPECT_NEAR(told.back().fraction, fraction, 1e-12);
+        ASSERT_FALSE(reports.empty());
+        EXPECT_EQ(reports.back().stage, stage);
+        EXPECT_NEAR(reports.back().fraction, fraction, 1e-12);
     }
 };
 
@@ -67,10 +67,10 @@ TEST(JobSteps, NestAndNeverFall) {
             }
     }
     double last = 0;
-    for (const Told& told : heard.told) {
-        EXPECT_GE(told.fraction, last);
-        EXPECT_LE(told.fraction, 1);
-        last = told.fraction;
+    for (const Report& report : heard.reports) {
+        EXPECT_GE(report.fraction, last);
+        EXPECT_LE(report.fraction, 1);
+        last = report.fraction;
     }
     EXPECT_NEAR(last, 1, 1e-12);
 }
