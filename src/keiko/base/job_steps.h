@@ -6,8 +6,8 @@
 
 namespace keiko {
 
-/// The steps of a long function, one after the other, told to its caller as one progress that never
-/// falls. A step has a weight, its share of the whole work. Keep it for as long as the jobs of its
+/// The steps of a long function, one after the other, reported to its caller as one progress that
+/// never falls. A step has a weight, its share of the whole work. Keep it for as long as the jobs of its
 /// steps.
 class JobSteps {
 public:
@@ -17,7 +17,7 @@ public:
     JobSteps& operator=(const JobSteps&) = delete;
 
     /// The job of the next step, which ends the one before. Its progress rises through `stages`
-    /// equal stages, from 0 to 1 in each. `detail` is told behind their names, as "render front".
+    /// equal stages, from 0 to 1 in each. `detail` follows their names, as in "render front".
     Job next(double weight, int stages = 1, std::string detail = {});
     /// The job of a step that has steps of its own: its progress rises from 0 to 1 but once.
     Job next_of_steps(double weight);
