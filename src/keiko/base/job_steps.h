@@ -7,8 +7,8 @@
 namespace keiko {
 
 /// The steps of a long function, one after the other, reported to its caller as one progress that
-/// never falls. A step has a weight, its share of the whole work. Keep it for as long as the jobs of its
-/// steps.
+/// never falls. A step has a weight, its share of the whole work. Keep it for as long as the jobs
+/// of its steps.
 class JobSteps {
 public:
     /// `weight`: the sum of the weights of all steps, in any unit. Refers to `job`.
