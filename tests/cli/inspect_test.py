@@ -1,6 +1,7 @@
 """`keiko inspect`: verdict, exit code and report."""
 import hashlib
 import json
+import pathlib
 import re
 import unittest
 
@@ -94,6 +95,21 @@ class Inspect(KeikoTest):
         self.inspect("pole.step")
         self.assertNotIn("out/top.png", self.content())
         self.assertEqual((out / "notes.txt").read_text(), "mine")
+
+    def test_the_report_names_what_it_rests_on(self):
+        def digest(path):
+            return hashlib.sha256(pathlib.Path(path).read_bytes()).hexdigest()
+
+        report = self.inspect("seam-g2-only.step")[1]
+        model = surface("seam-g2-only.step")
+        self.assertEqual(report["inputs"], [{"path": model, "sha256": digest(model)}])
+        self.assertEqual([view["name"] for view in report["views"]], ["high-front"])
+        rig = self.folder / "out/rig.toml"
+        before = digest(rig)
+        report = self.inspect("hood-scene.toml", "--rig", "out/rig.toml")[1]
+        inputs = {pathlib.Path(entry["path"]).name: entry["sha256"] for entry in report["inputs"]}
+        self.assertEqual(inputs, {"hood-scene.toml": digest(surface("hood-scene.toml")),
+                                  "hood.step": digest(surface("hood.step")), "rig.toml": before})
 
     def test_an_earlier_rig_that_is_read_again_stays(self):
         self.inspect("seam-g2-only.step")

@@ -117,6 +117,14 @@ Film with_only(Film film, const std::vector<Aov>& aovs) {
     return film;
 }
 
+std::vector<InputFile> inputs_of(const Scene& scene, const InspectOptions& options) {
+    std::vector<std::filesystem::path> inputs = scene.inputs;
+    if (options.rig) inputs.push_back(*options.rig);
+    for (const std::filesystem::path view : options.views)
+        if (view.extension() == ".toml") inputs.push_back(view);
+    return input_files(inputs);
+}
+
 /// The lamps of an inspection: given, of the scene, or placed.
 void choose_rig(const Scene& scene, const InspectOptions& options, std::span<const NamedView> views,
                 InspectResult& result, const Job& job) {
@@ -155,6 +163,8 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
         choose_views(scene, options.views, automatic_views, steps.next(InspectWeights::choosing));
     InspectResult result;
     result.report.tool_version = version();
+    result.report.inputs = inputs_of(scene, options);
+    result.report.views = views;
     if (options.register_hits)
         result.hits = register_hits(scene.tracer, scene.model, views,
                                     steps.next(InspectWeights::registering));

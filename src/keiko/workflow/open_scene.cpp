@@ -64,7 +64,8 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
             .height = spec.height,
             .surroundings = std::move(all.surroundings),
             .max_depth = spec.max_depth,
-            .min_weight = spec.min_weight};
+            .min_weight = spec.min_weight,
+            .inputs = {inputs.begin(), inputs.end()}};
 }
 
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {

@@ -39,18 +39,19 @@ struct Surroundings {
 
 /// A body prepared for rendering.
 struct Scene {
-    SurfaceModel model;                         ///< the body, all models as one
-    std::vector<Material> materials;            ///< one a face of the model
-    Tracer tracer;                              ///< of the body alone
-    std::optional<Occluders> occluders;         ///< of the visible geometry, if it casts shadows
-    std::optional<Camera> camera;               ///< of the scene file
-    std::optional<std::string> view;            ///< a named view of the scene file
-    std::optional<LightRig> rig;                ///< of the scene file, if it has lamps
-    Rgb background{0};                          ///< cd/m2 behind the body
-    int width = 960, height = 540;              ///< pixels of its pictures
-    std::optional<Surroundings> surroundings{}; ///< of a scene file with [ground]
-    std::optional<int> max_depth{};             ///< of the scene file, else of
-    std::optional<double> min_weight{};         ///< PictureOptions
+    SurfaceModel model;                          ///< the body, all models as one
+    std::vector<Material> materials;             ///< one a face of the model
+    Tracer tracer;                               ///< of the body alone
+    std::optional<Occluders> occluders;          ///< of the visible geometry, if it casts shadows
+    std::optional<Camera> camera;                ///< of the scene file
+    std::optional<std::string> view;             ///< a named view of the scene file
+    std::optional<LightRig> rig;                 ///< of the scene file, if it has lamps
+    Rgb background{0};                           ///< cd/m2 behind the body
+    int width = 960, height = 540;               ///< pixels of its pictures
+    std::optional<Surroundings> surroundings{};  ///< of a scene file with [ground]
+    std::optional<int> max_depth{};              ///< of the scene file, else of
+    std::optional<double> min_weight{};          ///< PictureOptions
+    std::vector<std::filesystem::path> inputs{}; ///< model files, or the scene file
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }

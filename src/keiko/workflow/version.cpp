@@ -9,6 +9,8 @@
 
 #include <array>
 #include <ctime>
+#include <set>
+#include <utility>
 
 namespace keiko {
 namespace fs = std::filesystem;
@@ -40,6 +42,15 @@ std::string utc_now(const char* format) {
     std::array<char, 32> text{};
     std::strftime(text.data(), text.size(), format, &utc);
     return text.data();
+}
+
+std::vector<InputFile> input_files(std::span<const fs::path> inputs) {
+    std::set<fs::path> all;
+    for (const fs::path& input : inputs)
+        for (fs::path& file : files_of(input)) all.insert(std::move(file));
+    std::vector<InputFile> files;
+    for (const fs::path& file : all) files.push_back({file.string(), file_hash(file)});
+    return files;
 }
 
 std::string input_key(std::span<const fs::path> inputs, const fs::path& folder,

@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/import/worker/load_model.h"
+#include "keiko/report/content/report.h"
 
 #include <filesystem>
 #include <span>
@@ -15,6 +16,9 @@ std::string version();
 
 /// The time of the clock in UTC, up to 31 characters; `format` is that of strftime.
 std::string utc_now(const char* format);
+
+/// Input files and all that TOML files among them name, each once, in the order of their paths.
+std::vector<InputFile> input_files(std::span<const std::filesystem::path> inputs);
 
 /// SHA-256 of everything that a run depends on: the build of Keiko, the processor's instruction
 /// set, the program that imports models, `settings`, and the input files. Files named by TOML files

@@ -5,6 +5,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <string>
+
 namespace keiko {
 namespace {
 
@@ -41,6 +43,20 @@ TEST(ReportJson, HoldsVerdictCountsAndMeasures) {
     EXPECT_EQ(json["close_ups"][0]["seam"], 1);
     EXPECT_EQ(json["model"]["lost_faces"][0]["id"], 7);
     EXPECT_EQ(json["model"]["degrees"][0]["patches"], 4);
+}
+
+TEST(ReportJson, NamesItsInputsAndViews) {
+    Report seen = report();
+    seen.inputs = {{"door.step", std::string(64, 'a')}};
+    seen.views.push_back({"front", {}});
+    seen.views[0].camera.eye = {1, 2, 3};
+    const auto json = nlohmann::json::parse(report_json(seen));
+    ASSERT_EQ(json["inputs"].size(), 1u);
+    EXPECT_EQ(json["inputs"][0]["path"], "door.step");
+    EXPECT_EQ(json["inputs"][0]["sha256"], seen.inputs[0].sha256);
+    ASSERT_EQ(json["views"].size(), 1u);
+    EXPECT_EQ(json["views"][0]["name"], "front");
+    EXPECT_EQ(json["views"][0]["camera"]["eye"], nlohmann::json({1, 2, 3}));
 }
 
 TEST(ReportJson, KeepsNumbersInFullPrecision) {

@@ -4,6 +4,7 @@
 #include "keiko/base/output_folder.h"
 #include "keiko/inspect/inspection.h"
 #include "keiko/inspect/seams/seam_profile.h"
+#include "keiko/placement/best_view.h"
 #include "keiko/report/content/combs_text.h"
 #include "keiko/report/content/line_list.h"
 #include "keiko/triage/triage.h"
@@ -52,9 +53,17 @@ struct CoverageSummary {
     std::vector<std::string> unreached; ///< faces or regions, one line each
 };
 
+/// A file that a report rests on.
+struct InputFile {
+    std::string path;   ///< as it was named, or as a file names it
+    std::string sha256; ///< of its bytes, 64 hexadecimal digits
+};
+
 /// All contents of a report. Values only: the same report gives the same bytes.
 struct Report {
     std::string tool_version;                 ///< version of Keiko that made it
+    std::vector<InputFile> inputs;            ///< models, scene, rig and views, each once
+    std::vector<NamedView> views;             ///< of `pictures`, in order
     Inspection inspection;                    ///< seams, faces and their verdicts
     std::optional<CoverageSummary> coverage;  ///< of lamps that were placed or rated
     std::optional<LineList> lines;            ///< of the views of `pictures`
@@ -104,12 +113,12 @@ std::vector<std::uint32_t> first_seams(const Report& report, std::size_t most);
 constexpr std::size_t most_profiles = 20;
 
 /// The whole report as "keiko-report/1", in the manner of inspection_json. Inspection: tool {name,
-/// version} and the keys of inspection_json, with the verdict of lines and seams together. Lines:
-/// lines {rig, look, preset, verdict, counts, crossings} with the keys of lines_json, or null.
-/// Triage: triage {items, hidden}, both [{mending, findings, seams, face (numbers), length (mm),
-/// visible (share of 1), width (arc minutes), weight (square arc minutes), view, mirrored}].
-/// Coverage: coverage {rig, covered, unreached}. Pictures: pictures, line_pictures,
-/// curvature_pictures and close_ups
+/// version}, inputs [{path, sha256}], views [{name, camera}] and the keys of inspection_json, with
+/// the verdict of lines and seams together. Lines: lines {rig, look, preset, verdict, counts,
+/// crossings} with the keys of lines_json, or null. Triage: triage {items, hidden}, both [{mending,
+/// findings, seams, face (numbers), length (mm), visible (share of 1), width (arc minutes), weight
+/// (square arc minutes), view, mirrored}]. Coverage: coverage {rig, covered, unreached}. Pictures:
+/// pictures, line_pictures, curvature_pictures and close_ups
 /// [{title, file, width, height, markers [{number, x, y}]}]. Close-ups have the number of their
 /// seam or face, or the rank of their crossing, from 1. The report holds no time, so that every run
 /// gives the same bytes.

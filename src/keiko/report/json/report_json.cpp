@@ -248,7 +248,13 @@ Json coverage_json(const CoverageSummary& coverage) {
 
 std::string report_json(const Report& report) {
     Json json = {{"format", "keiko-report/1"},
-                 {"tool", {{"name", "keiko"}, {"version", report.tool_version}}}};
+                 {"tool", {{"name", "keiko"}, {"version", report.tool_version}}},
+                 {"inputs", Json::array()},
+                 {"views", Json::array()}};
+    for (const InputFile& input : report.inputs)
+        json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});
+    for (const NamedView& view : report.views)
+        json["views"].push_back({{"name", view.name}, {"camera", camera_json(view.camera)}});
     json.update(inspection_json_value(whole_inspection(report)));
     json["verdict"] = name_of(verdict_of(report));
     json["lines"] = report.lines ? line_verdicts_json(*report.lines) : Json();
