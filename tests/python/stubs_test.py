@@ -17,8 +17,8 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as folder:
         allowed = Path(folder) / "allowed"
         allowed.write_text(OF_PYBIND11, encoding="utf-8")
-        return subprocess.run([sys.executable, "-B", "-m", "mypy.stubtest", "keiko", "--concise", "--allowlist", allowed],
-                              cwd=folder, check=False).returncode
+        command = [sys.executable, "-B", "-m", "mypy.stubtest", "keiko", "--concise", "--allowlist", allowed]
+        return subprocess.run(command, cwd=folder, check=False).returncode
 
 
 if __name__ == "__main__":
