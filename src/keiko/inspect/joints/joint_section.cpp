@@ -181,12 +181,10 @@ AcrossResult measure_across(const PanelBorders& borders, const PanelBorder& bord
     AcrossResult best;
     const double across = limits.widest + 2 * limits.largest_radius;
     const double reach = std::hypot(across, limits.widest);
-    const Vec3 from = border.curve.at(t).position;
-    const std::vector<std::uint32_t> near = borders.others_near(border.body, from, reach);
-    if (near.empty()) return best;
     const auto a = skin_end(border, t);
     if (!a) return best;
-    for (const std::uint32_t i : near) {
+    for (const std::uint32_t i :
+         borders.others_facing(border.body, a->point.position, a->frame.tangent, reach)) {
         const PanelBorder& other = borders.all()[i];
         const auto s = facing_place(*a, other);
         const auto b = s ? skin_end(other, *s) : std::nullopt;

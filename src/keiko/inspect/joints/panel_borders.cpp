@@ -1,9 +1,11 @@
 #include "keiko/inspect/joints/panel_borders.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/geometry/seam/border_run.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -14,10 +16,10 @@ constexpr double chord_error = 0.02;
 } // namespace
 
 PanelBorders::PanelBorders(const ModelBorders& borders, std::span<const Seam> seams, const Job& job)
-    : borders_(borders), bodies_(borders.model, seams), chords_({}) {
+    : borders_(borders), bodies_(borders.model, seams), tree_({}) {
     list_borders();
     for (const Seam& seam : seams) add_seam(seam.a, seam.b), add_seam(seam.b, seam.a);
-    chords_ = BoxTree(list_chords());
+    tree_ = BoxTree(list_chords());
     const std::vector<PlacedFace> faces = placed_faces(borders.model);
     surfaces_.resize(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i)
@@ -46,7 +48,7 @@ std::vector<Box3> PanelBorders::list_chords() {
     for (std::uint32_t i = 0; i < all_.size(); ++i) {
         const std::vector<Vec3>& points = all_[i].polyline.points;
         for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-            chord_border_.push_back(i);
+            chords_.push_back({i, points[k], points[k + 1]});
             boxes.emplace_back();
             boxes.back().extend(points[k]), boxes.back().extend(points[k + 1]);
         }
@@ -67,14 +69,29 @@ double PanelBorders::size(const PlacedFace& face) const {
     return borders_.sizes.of(face.instance, face.face);
 }
 
-std::vector<std::uint32_t> PanelBorders::others_near(std::size_t body, const Vec3& place,
-                                                     double radius) const {
+/// True unless a chord is too askew, or lies ahead or behind.
+bool PanelBorders::may_face(const Chord& chord, const Vec3& place, const Vec3& along,
+                            double radius) const {
+    const CurvePolyline& line = all_[chord.border].polyline;
+    const Vec3 way = chord.to - chord.from;
+    const double askew = std::min(parallel_borders + line.turn, std::numbers::pi / 2);
+    if (std::abs(way.dot(along)) < std::cos(askew) * way.length() * (1 - 1e-9)) return false;
+    // The way to a facing place is square to the mean of both directions.
+    const double slab = radius * std::sin(parallel_borders / 2) + line.deviation + chord_error;
+    const double from = (chord.from - place).dot(along), to = (chord.to - place).dot(along);
+    return std::min(from, to) <= slab && std::max(from, to) >= -slab;
+}
+
+std::vector<std::uint32_t> PanelBorders::others_facing(std::size_t body, const Vec3& place,
+                                                       const Vec3& along, double radius) const {
     Box3 box;
     box.extend(place);
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t chord : chords_.overlapping(box.padded(radius)))
-        if (const std::uint32_t border = chord_border_[chord]; all_[border].body != body)
-            found.push_back(border);
+    for (const std::uint32_t i : tree_.overlapping(box.padded(radius))) {
+        const Chord& chord = chords_[i];
+        if (all_[chord.border].body != body && may_face(chord, place, along, radius))
+            found.push_back(chord.border);
+    }
     found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }

@@ -52,9 +52,10 @@ public:
     const FaceSurface& surface(const PlacedFace& face) const;
     /// mm, by the borders of a placed face.
     double size(const PlacedFace& face) const;
-    /// Borders of other bodies within a box of `radius` mm around a place, ascending.
-    std::vector<std::uint32_t> others_near(std::size_t body, const Vec3& place,
-                                           double radius) const;
+    /// Borders of other bodies, ascending, that may face a place of one that runs along a unit
+    /// vector: within `radius` mm, in about the same direction, about square to it.
+    std::vector<std::uint32_t> others_facing(std::size_t body, const Vec3& place, const Vec3& along,
+                                             double radius) const;
 
     /// The face that a seam joins at parameter `t` of a border; nullopt at a free edge, and where
     /// that face has no frame.
@@ -69,6 +70,13 @@ private:
         BoundaryInterval own, other;
     };
 
+    /// A chord of a border's polyline.
+    struct Chord {
+        std::uint32_t border = 0; ///< into all_
+        Vec3 from{0}, to{0};      ///< world, mm
+    };
+
+    bool may_face(const Chord& chord, const Vec3& place, const Vec3& along, double radius) const;
     const Joined* joined_at(const PanelBorder& border, double t) const;
     void list_borders();
     void add_seam(const BoundaryInterval& own, const BoundaryInterval& other);
@@ -81,8 +89,8 @@ private:
     std::map<Key, std::vector<Joined>> joined_;
     std::map<Key, std::size_t> surface_of_; ///< into surfaces_
     std::vector<std::optional<FaceSurface>> surfaces_;
-    std::vector<std::uint32_t> chord_border_; ///< a chord, into all_
-    BoxTree chords_;
+    std::vector<Chord> chords_;
+    BoxTree tree_; ///< of chords_
 };
 
 } // namespace keiko
