@@ -21,9 +21,11 @@ std::optional<JointSection> JointRuns::section(std::uint32_t border, double t,
 
 /// Both ends, and places about evenly spaced between them.
 std::vector<double> JointRuns::parameters(std::uint32_t border) const {
-    constexpr double least_steps = 8;
+    constexpr double least_steps = 8; // but on borders shorter than `spacing`
     const CurvePolyline& line = borders_.all()[border].polyline;
-    const double steps = std::max(least_steps, std::ceil(line.length / limits_.spacing));
+    const double spacings = line.length / limits_.spacing;
+    const double steps =
+        std::ceil(std::max({1.0, spacings, std::min(least_steps, least_steps * spacings)}));
     std::vector<double> found{0};
     double way = 0, number = 1;
     for (std::size_t i = 0; i + 1 < line.t.size(); ++i) {

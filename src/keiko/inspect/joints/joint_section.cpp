@@ -60,6 +60,27 @@ std::optional<double> facing_place(const SkinEnd& a, const PanelBorder& b) {
     return std::nullopt;
 }
 
+/// mm between the ends of two skins, along the mean of both.
+double farthest_across(const JointLimits& limits) {
+    return limits.widest + 2 * limits.largest_radius;
+}
+
+/// Box that holds all places of skins that may face one: the mean of both skins is within half of
+/// `skins_facing` of the skin.
+Box3 region_across(const SkinEnd& end, const JointLimits& limits) {
+    constexpr double sine = 0.3826834323650898; // of 22.5 degrees
+    const double across = farthest_across(limits), step = limits.widest;
+    const double behind = step * sine, aside = across * sine + step;
+    const double along = std::hypot(across, step) * std::sin(parallel_borders / 2);
+    const BoundaryFrame& f = end.frame;
+    Box3 box;
+    for (const double x : {-along, along})
+        for (const double y : {-behind, across + behind})
+            for (const double z : {-aside, aside})
+                box.extend(f.position + f.tangent * x - f.inward * y + f.normal * z);
+    return box;
+}
+
 /// A section between two skins' ends before their edges are known.
 class SectionMeasure {
 public:
@@ -102,7 +123,7 @@ bool SectionMeasure::faces() {
     const Vec3 chord = ends_[1]->point.position - ends_[0]->point.position;
     section_.flush = chord.dot(section_.outward);
     return chord.dot(section_.across) > 0 && std::abs(section_.flush) <= limits_.widest &&
-           chord.dot(section_.across) <= limits_.widest + 2 * limits_.largest_radius;
+           chord.dot(section_.across) <= farthest_across(limits_);
 }
 
 EdgeResult SectionMeasure::edge(std::size_t side) const {
@@ -179,12 +200,11 @@ void keep_nearer(AcrossResult& best, const AcrossResult& found) {
 AcrossResult measure_across(const PanelBorders& borders, const PanelBorder& border, double t,
                             const JointLimits& limits) {
     AcrossResult best;
-    const double across = limits.widest + 2 * limits.largest_radius;
-    const double reach = std::hypot(across, limits.widest);
     const auto a = skin_end(border, t);
     if (!a) return best;
-    for (const std::uint32_t i :
-         borders.others_facing(border.body, a->point.position, a->frame.tangent, reach)) {
+    const double reach = std::hypot(farthest_across(limits), limits.widest);
+    for (const std::uint32_t i : borders.others_facing(
+             border.body, a->point.position, a->frame.tangent, reach, region_across(*a, limits))) {
         const PanelBorder& other = borders.all()[i];
         const auto s = facing_place(*a, other);
         const auto b = s ? skin_end(other, *s) : std::nullopt;

@@ -44,13 +44,14 @@ void PanelBorders::add_seam(const BoundaryInterval& own, const BoundaryInterval&
 }
 
 std::vector<Box3> PanelBorders::list_chords() {
+    constexpr std::size_t most = 8; // chords in a box
     std::vector<Box3> boxes;
     for (std::uint32_t i = 0; i < all_.size(); ++i) {
         const std::vector<Vec3>& points = all_[i].polyline.points;
-        for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-            chords_.push_back({i, points[k], points[k + 1]});
+        for (std::size_t k = 0; k + 1 < points.size(); k += most) {
+            chords_.push_back({i, k, std::min(k + most, points.size() - 1)});
             boxes.emplace_back();
-            boxes.back().extend(points[k]), boxes.back().extend(points[k + 1]);
+            for (std::size_t j = k; j <= chords_.back().end; ++j) boxes.back().extend(points[j]);
         }
     }
     return boxes;
@@ -69,30 +70,34 @@ double PanelBorders::size(const PlacedFace& face) const {
     return borders_.sizes.of(face.instance, face.face);
 }
 
-/// True unless a chord is too askew, or lies ahead or behind.
-bool PanelBorders::may_face(const Chord& chord, const Vec3& place, const Vec3& along,
+/// False if all chords are too askew, or lie ahead or behind.
+bool PanelBorders::may_face(const Chords& chords, const Vec3& place, const Vec3& along,
                             double radius) const {
-    const CurvePolyline& line = all_[chord.border].polyline;
-    const Vec3 way = chord.to - chord.from;
+    const CurvePolyline& line = all_[chords.border].polyline;
     const double askew = std::min(parallel_borders + line.turn, std::numbers::pi / 2);
-    if (std::abs(way.dot(along)) < std::cos(askew) * way.length() * (1 - 1e-9)) return false;
+    const double cosine = std::cos(askew) * (1 - 1e-9);
     // The way to a facing place is square to the mean of both directions.
     const double slab = radius * std::sin(parallel_borders / 2) + line.deviation + chord_error;
-    const double from = (chord.from - place).dot(along), to = (chord.to - place).dot(along);
-    return std::min(from, to) <= slab && std::max(from, to) >= -slab;
+    for (std::size_t i = chords.begin; i < chords.end; ++i) {
+        const Vec3 way = line.points[i + 1] - line.points[i];
+        const double from = (line.points[i] - place).dot(along), length = way.dot(along);
+        const bool beside =
+            std::min(from, from + length) <= slab && std::max(from, from + length) >= -slab;
+        if (beside && std::abs(length) >= cosine * way.length()) return true;
+    }
+    return false;
 }
 
 std::vector<std::uint32_t> PanelBorders::others_facing(std::size_t body, const Vec3& place,
-                                                       const Vec3& along, double radius) const {
-    Box3 box;
-    box.extend(place);
+                                                       const Vec3& along, double radius,
+                                                       const Box3& box) const {
     std::vector<std::uint32_t> found;
-    for (const std::uint32_t i : tree_.overlapping(box.padded(radius))) {
-        const Chord& chord = chords_[i];
-        if (all_[chord.border].body != body && may_face(chord, place, along, radius))
-            found.push_back(chord.border);
+    for (const std::uint32_t i : tree_.overlapping(box)) {
+        const Chords& chords = chords_[i];
+        if (all_[chords.border].body == body || (!found.empty() && found.back() == chords.border))
+            continue;
+        if (may_face(chords, place, along, radius)) found.push_back(chords.border);
     }
-    found.erase(std::unique(found.begin(), found.end()), found.end());
     return found;
 }
 

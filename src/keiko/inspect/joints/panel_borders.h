@@ -53,9 +53,9 @@ public:
     /// mm, by the borders of a placed face.
     double size(const PlacedFace& face) const;
     /// Borders of other bodies, ascending, that may face a place of one that runs along a unit
-    /// vector: within `radius` mm, in about the same direction, about square to it.
+    /// vector: in a box, at most `radius` mm away, in about the same direction, about square to it.
     std::vector<std::uint32_t> others_facing(std::size_t body, const Vec3& place, const Vec3& along,
-                                             double radius) const;
+                                             double radius, const Box3& box) const;
 
     /// The face that a seam joins at parameter `t` of a border; nullopt at a free edge, and where
     /// that face has no frame.
@@ -70,13 +70,14 @@ private:
         BoundaryInterval own, other;
     };
 
-    /// A chord of a border's polyline.
-    struct Chord {
+    /// Consecutive chords of a border's polyline.
+    struct Chords {
         std::uint32_t border = 0; ///< into all_
-        Vec3 from{0}, to{0};      ///< world, mm
+        std::size_t begin = 0;    ///< index of the first point
+        std::size_t end = 0;      ///< index of the last point
     };
 
-    bool may_face(const Chord& chord, const Vec3& place, const Vec3& along, double radius) const;
+    bool may_face(const Chords& chords, const Vec3& place, const Vec3& along, double radius) const;
     const Joined* joined_at(const PanelBorder& border, double t) const;
     void list_borders();
     void add_seam(const BoundaryInterval& own, const BoundaryInterval& other);
@@ -89,7 +90,7 @@ private:
     std::map<Key, std::vector<Joined>> joined_;
     std::map<Key, std::size_t> surface_of_; ///< into surfaces_
     std::vector<std::optional<FaceSurface>> surfaces_;
-    std::vector<Chord> chords_;
+    std::vector<Chords> chords_;
     BoxTree tree_; ///< of chords_
 };
 
