@@ -93,6 +93,7 @@ CHAMBERS = {
         "regularity": {"basics"},
         "curvature": {"flaws", "regularity"},
         "structure": {"seams"},
+        "joints": {"openings", "flaws"},
     },
     "compare": {
         "alignment": set(),
