@@ -8,6 +8,7 @@
 #include "keiko/workflow/open_scene.h"
 #include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 #include <numeric>
 
@@ -31,14 +32,15 @@ Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job&
 std::vector<SeamProfile> profiles_of(const SurfaceModel& model, const Inspection& inspection,
                                      std::span<const std::uint32_t> seams, const Job& job) {
     if (seams.empty()) return {};
-    return seam_profiles(model, inspection.seams, inspection.pieces, seams, inspection.preset, job);
+    return seam_profiles(model, inspection.seams, inspection.pieces, seams, inspection.limits, job);
 }
 
 CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
                          const Job& job) {
     const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
     const SurfaceModel model = read_body(spec, options.load, job).model;
-    CheckResult result{inspect(model, options.preset, options.join, job)};
+    const FaceLimits limits = zoned_limits({model}, options.preset, options.scope, job);
+    CheckResult result{inspect(model, limits, options.join, job)};
     check_symmetry(model, result.inspection, job);
     accept_findings(result.inspection, options.acceptances);
     if (has_curves(options.combs)) result.combs = combs_of(model, options.combs, job);

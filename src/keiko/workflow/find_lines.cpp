@@ -5,6 +5,7 @@
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 namespace keiko {
 namespace {
@@ -55,16 +56,17 @@ bool has_lines(const LightRig& rig) {
 }
 
 LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const NamedView> views,
-                     const LinesOptions& options, const Job& job) {
+                     const LinesOptions& options, const FaceLimits& limits, const Job& job) {
     const std::vector<CPlane> planes = planes_of(rig);
-    LineList list{version(), rig.name, options.lines.look, options.preset, options.join, {}};
+    LineList list{version(), rig.name, options.lines.look, limits.preset(), options.join, {}};
+    if (limits.has_zones_or_scope()) list.scope = scope_of_faces(scene.model, limits);
     const LineSeams seams(scene.model, options.join, job);
     for (const NamedView& view : views) {
         std::vector<SurfaceLine> pieces =
             surface_lines(scene.model, scene.seen(), planes, view.camera, options.lines, job);
         list.views.push_back({view.name, view.camera,
                               join_lines(scene.model, seams, std::move(pieces), planes, view.camera,
-                                         options.lines.look, options.preset, job)});
+                                         options.lines.look, limits, job)});
     }
     return list;
 }
@@ -73,7 +75,9 @@ LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& 
     const LightRig rig = rig_for_lines(scene, options);
     if (!has_lines(rig))
         throw Error("", "rig '" + rig.name + "'", "has no C-plane, so that there are no lines");
-    return lines_under(scene, rig, choose_views(scene, options.views, 1, job), options, job);
+    const FaceLimits limits = limits_in(scene, options.preset, options.scope, job);
+    return lines_under(scene, rig, choose_views(scene, options.views, 1, job), options, limits,
+                       job);
 }
 
 Image with_lines(const Film& film, const LineList& list, std::size_t view) {

@@ -9,6 +9,7 @@
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/report_pictures.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -51,7 +52,8 @@ void add_lines(Report& report, const Scene& scene, const InspectResult& result,
     LinesOptions asked;
     asked.preset = options.preset;
     asked.join = options.join;
-    report.lines = lines_under(scene, result.rig, views, asked, job);
+    report.lines =
+        lines_under(scene, result.rig, views, asked, result.report.inspection.limits, job);
     report.lines->acceptances = options.acceptances;
     for (std::size_t i = 0; i < views.size(); ++i)
         report.line_pictures.push_back(
@@ -113,7 +115,8 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     result.rig = std::move(lights.rig);
     result.report.tool_version = version();
     if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
-    result.report.inspection = inspect(scene.model, options.preset, options.join, job);
+    result.report.inspection = inspect(
+        scene.model, limits_in(scene, options.preset, options.scope, job), options.join, job);
     check_symmetry(scene.model, result.report.inspection, job);
     accept_findings(result.report.inspection, options.acceptances);
     result.report.inspection.facts.tracing = trace_facts(scene.tracer.statistics());
