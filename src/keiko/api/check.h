@@ -3,4 +3,5 @@
 
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/line_list.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/workflow/check_models.h"

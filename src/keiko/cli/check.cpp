@@ -5,6 +5,7 @@
 #include "keiko/cli/inspection_options.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/scope_options.h"
 #include "keiko/cli/session.h"
 
 #include <memory>
@@ -21,6 +22,7 @@ struct CheckArguments {
     ProfileArguments profiles;
     SymmetryOption symmetry;
     AcceptedOption accepted;
+    ScopeOptions scope;
 };
 
 void withdraw_earlier(const CheckArguments& arguments) {
@@ -46,6 +48,7 @@ int check(CheckArguments arguments, const Job& job) {
     arguments.symmetry.apply_to(options.preset);
     arguments.symmetry.look_in(options.preset);
     options.acceptances = arguments.accepted.list();
+    options.scope = arguments.scope.scope();
     options.load = load_options(arguments.models);
     options.combs = arguments.combs.options(options.join);
     options.profiles = !arguments.profiles.files().empty();
@@ -86,6 +89,7 @@ void add_check(CLI::App& app, Session& session) {
     arguments->combs.add_to(command);
     arguments->symmetry.add_to(command, false);
     arguments->accepted.add_to(command);
+    arguments->scope.add_to(command);
     arguments->combs.add_files(command);
     arguments->profiles.add_to(command);
     add_load_options(command, arguments->models);

@@ -7,6 +7,7 @@
 #include "keiko/base/text.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/scope_options.h"
 #include "keiko/cli/session.h"
 
 #include <array>
@@ -22,6 +23,7 @@ struct CompareArguments {
     CompareBodiesOptions options;
     CompareViewsOptions views;
     std::string preset, rig = "auto", mirror;
+    ScopeOptions scope;
 };
 
 bool shows_pictures(const CompareArguments& arguments) {
@@ -67,6 +69,7 @@ CompareBodiesOptions options_of(const CompareArguments& arguments) {
     CompareBodiesOptions options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     options.scene = arguments.scene.scene_options();
+    options.scope = arguments.scope.scope();
     if (!arguments.mirror.empty()) options.mirror = MirrorPlane::parse(arguments.mirror);
     if (!shows_pictures(arguments)) return options;
     options.views = arguments.views;
@@ -181,6 +184,7 @@ void add_compare(CLI::App& app, Session& session) {
     add_outputs(command, *arguments);
     command.add_option("--preset", arguments->preset,
                        "limits by name, or a preset file (.toml) [class-a-outer]");
+    arguments->scope.add_to(command);
     add_tolerances(command, arguments->options);
     add_sampling(command, arguments->options);
     arguments->scene.add_picture_size(command);

@@ -7,6 +7,7 @@
 #include "keiko/cli/inspection_options.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/scope_options.h"
 #include "keiko/cli/session.h"
 
 #include <memory>
@@ -24,6 +25,7 @@ struct InspectArguments {
     CombArguments combs;
     SymmetryOption symmetry;
     AcceptedOption accepted;
+    ScopeOptions scope;
 };
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
@@ -37,8 +39,11 @@ void print_summary(const Report& report, const std::filesystem::path& folder) {
     }
     if (const std::size_t accepted = whole_inspection(report).accepted.size(); accepted > 0)
         line << counted(accepted, "finding") << " accepted; ";
+    if (const std::string part = scope_words(report.inspection.scope); !part.empty())
+        line << part << "; ";
     line << "see " << (folder / "report.html").string();
     print(lines.text());
+    print_scope(report.inspection.scope, report.inspection.preset);
 }
 
 void withdraw_earlier(const InspectArguments& arguments) {
@@ -65,6 +70,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     arguments.symmetry.apply_to(options.preset);
     options.symmetry = arguments.symmetry.choice();
     options.acceptances = arguments.accepted.list();
+    options.scope = arguments.scope.scope();
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;
         read_rig_aloud(*options.rig); // a misspelt key is reported before the long work
@@ -125,6 +131,7 @@ void add_inspect(CLI::App& app, Session& session) {
     arguments->combs.add_to(command);
     arguments->symmetry.add_to(command, true);
     arguments->accepted.add_to(command);
+    arguments->scope.add_to(command);
     command.add_option("--register", arguments->hits,
                        "file (.json) for what the pictures mirror, for keiko place --from");
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");

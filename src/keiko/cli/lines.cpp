@@ -7,6 +7,7 @@
 #include "keiko/base/text.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
+#include "keiko/cli/scope_options.h"
 #include "keiko/cli/session.h"
 
 #include <cmath>
@@ -22,6 +23,7 @@ struct LinesArguments {
     std::filesystem::path rig, output, csv, crossings, inflections, picture;
     std::string preset;
     std::size_t rows = 20; ///< of the table
+    ScopeOptions scope;
 };
 
 const std::map<std::string, LineLook> looks{{"reflection", LineLook::reflection},
@@ -41,13 +43,17 @@ void print_summary(const LineList& list, const LinesArguments& arguments) {
         print("no line crosses a seam: nothing is judged; try lamps aslant to the seams\n");
     print(crossings_table(list, arguments.rows));
     TextLines summary;
-    summary.line() << name_of(verdict_of(list)) << ": " << counts.fail
-                   << " crossings of lines and seams fail, " << counts.undecided << " undecided, "
-                   << counts.pass << " pass, " << counts.not_judged << " not judged; " << lines
-                   << " " << name_of(list.look) << " lines of " << pieces << " pieces, "
-                   << std::llround(length) << " mm, " << unproved << " pieces not proved; see "
-                   << arguments.output.string();
+    std::ostream& line = summary.line();
+    line << name_of(verdict_of(list)) << ": " << counts.fail
+         << " crossings of lines and seams fail, " << counts.undecided << " undecided, "
+         << counts.pass << " pass, " << counts.not_judged << " not judged; " << lines << " "
+         << name_of(list.look) << " lines of " << pieces << " pieces, " << std::llround(length)
+         << " mm, " << unproved << " pieces not proved; ";
+    if (const std::string part = scope_words(list.scope); !part.empty())
+        line << part << ", " << counted(counts.out_of_scope, "crossing") << " out of scope; ";
+    line << "see " << arguments.output.string();
     print(summary.text());
+    print_scope(list.scope, list.preset);
 }
 
 /// lines.png, or with several views lines-VIEW.png.
@@ -95,6 +101,7 @@ int lines(LinesArguments arguments, const Job& job) {
     withdraw_earlier(arguments);
     LinesOptions& options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
+    options.scope = arguments.scope.scope();
     require_view_names(options.views);
     if (!arguments.rig.empty()) {
         options.rig = arguments.rig;
@@ -142,6 +149,7 @@ void add_lines(CLI::App& app, Session& session) {
     command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();
+    arguments->scope.add_to(command);
     command.add_option("-o,--output", arguments->output, "JSON file to write")->required();
     command.add_option("--csv", arguments->csv, "CSV file of the points to write as well");
     command.add_option("--crossings", arguments->crossings,

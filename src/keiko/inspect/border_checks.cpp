@@ -10,6 +10,8 @@
 #include "keiko/inspect/seams/narrow_faces.h"
 
 #include <algorithm>
+#include <array>
+#include <initializer_list>
 #include <iterator>
 
 namespace keiko {
@@ -18,13 +20,19 @@ namespace {
 /// Checks, each of one placed face.
 class FaceChecks {
 public:
-    explicit FaceChecks(const SurfaceModel& model) : model_(model), faces_(placed_faces(model)) {}
+    FaceChecks(const SurfaceModel& model, const FaceLimits& limits)
+        : model_(model), limits_(limits), faces_(placed_faces(model)) {}
 
-    void add(const PlacedFace& of, Check check) {
+    /// Adds a check of the first of these faces that is judged, if one is.
+    void add(std::initializer_list<PlacedFace> sides, Check check) {
+        const auto* const of =
+            std::find_if(sides.begin(), sides.end(),
+                         [&](const PlacedFace& side) { return limits_.in_scope(side); });
+        if (of == sides.end()) return;
         const auto before = [](const PlacedFace& a, const PlacedFace& b) {
             return std::pair(a.instance, a.face) < std::pair(b.instance, b.face);
         };
-        const auto at = std::lower_bound(faces_.begin(), faces_.end(), of, before);
+        const auto at = std::lower_bound(faces_.begin(), faces_.end(), *of, before);
         check.face = static_cast<std::uint32_t>(at - faces_.begin());
         checks_.push_back(std::move(check));
     }
@@ -39,6 +47,7 @@ public:
 
 private:
     const SurfaceModel& model_;
+    const FaceLimits& limits_;
     std::vector<PlacedFace> faces_;
     std::vector<Check> checks_;
 };
@@ -74,41 +83,56 @@ Check check_of_torn_edge(const TornEdge& torn, double gap, double join) {
     return check;
 }
 
+/// Narrow strips beside creases, and strips that are kinks.
+void add_strips(const ModelBorders& borders, std::span<const MeasuredSeam> seams,
+                std::span<const Seam> pieces, const FaceLimits& limits, double join,
+                FaceChecks& checks, const Job& job) {
+    for (const NarrowFace& narrow : narrow_faces(borders, seams, pieces, join, job)) {
+        Check check = check_of_narrow(narrow, join, checks.names(narrow.neighbours));
+        check.faces = checks.name(narrow.face);
+        checks.add({narrow.face, narrow.neighbours[0], narrow.neighbours[1]}, std::move(check));
+    }
+    for (const NarrowBend& bend : narrow_bends(borders, seams, pieces, limits, job)) {
+        const CriteriaPreset& of_seam = limits.between(bend.seam[0], bend.seam[1]);
+        Check check = check_of_bend(bend, of_seam, checks.names(bend.sides));
+        check.faces = checks.name(bend.face);
+        checks.add({bend.face, bend.sides[0], bend.sides[1]}, std::move(check));
+    }
+}
+
 } // namespace
 
 std::vector<Check> checks_at_borders(const ModelBorders& borders,
                                      std::span<const MeasuredSeam> seams,
-                                     std::span<const Seam> pieces, const CriteriaPreset& preset,
+                                     std::span<const Seam> pieces, const FaceLimits& limits,
                                      double join, const Job& job) {
     const SurfaceModel& model = borders.model;
-    FaceChecks checks(model);
-    for (const NarrowFace& narrow : narrow_faces(borders, seams, pieces, join, job)) {
-        Check check = check_of_narrow(narrow, join, checks.names(narrow.neighbours));
-        check.faces = checks.name(narrow.face);
-        checks.add(narrow.face, std::move(check));
-    }
-    for (const NarrowBend& bend : narrow_bends(borders, seams, pieces, preset, job)) {
-        Check check = check_of_bend(bend, preset, checks.names(bend.sides));
-        check.faces = checks.name(bend.face);
-        checks.add(bend.face, std::move(check));
-    }
-    const FreeEdges edges = free_edges(borders.curves, pieces, preset.gap, join, job);
+    const CriteriaPreset& strictest = limits.strictest();
+    const auto limits_at = [&](const std::array<PlacedFace, 2>& sides) -> const CriteriaPreset& {
+        return limits.between(sides[0], sides[1]);
+    };
+    FaceChecks checks(model, limits);
+    add_strips(borders, seams, pieces, limits, join, checks, job);
+    const FreeEdges edges = free_edges(borders.curves, pieces, strictest.gap, join, job);
     for (const TornEdge& torn :
-         torn_edges(model, borders.curves, edges, join, preset.negligible, job)) {
-        Check check = check_of_torn_edge(torn, preset.gap, join);
+         torn_edges(model, borders.curves, edges, join, strictest.negligible, job)) {
+        Check check = check_of_torn_edge(torn, limits_at(torn.sides).gap, join);
         check.faces = checks.names(torn.sides);
-        checks.add(torn.sides[0], std::move(check));
+        checks.add({torn.sides[0], torn.sides[1]}, std::move(check));
     }
-    const OpeningLimits small{join, preset.negligible, preset.gap};
+    const auto add = [&](const auto& found, Check check) {
+        checks.add({found.sides[0], found.sides[1]}, std::move(check));
+    };
+    const OpeningLimits small{join, strictest.negligible, strictest.gap};
     for (const Opening& opening : all_openings(borders, edges, pieces, small, job))
-        checks.add(opening.sides[0],
-                   check_of_opening(opening, preset, checks.names(opening.sides)));
-    for (const Groove& groove : grooves(borders, seams, pieces, small, preset))
-        checks.add(groove.sides[0], check_of_groove(groove, preset, checks.names(groove.sides)));
+        add(opening,
+            check_of_opening(opening, limits_at(opening.sides), checks.names(opening.sides)));
+    for (const Groove& groove : grooves(borders, seams, pieces, small, strictest))
+        add(groove, check_of_groove(groove, limits_at(groove.sides), checks.names(groove.sides)));
     for (const Overlap& overlap :
-         all_overlaps(borders, edges, pieces, {join, preset.negligible}, job))
-        checks.add(overlap.sides[0],
-                   check_of_overlap(overlap, preset, checks.names(overlap.sides)));
+         all_overlaps(borders, edges, pieces, {join, strictest.negligible}, job))
+        add(overlap,
+            check_of_overlap(overlap, limits_at(overlap.sides), checks.names(overlap.sides)));
     return checks.take();
 }
 

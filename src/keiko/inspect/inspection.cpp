@@ -114,27 +114,45 @@ void take(Verdict verdict, std::vector<Check> checks, Inspection& result) {
     std::move(checks.begin(), checks.end(), std::back_inserter(result.checks));
 }
 
+PlacedFace placed(const MeasuredFace& face) {
+    return {face.instance, face.face};
+}
+
+/// The different lists of limits by which dents and waves are searched on faces.
+std::vector<std::vector<WavinessLimit>> flaw_limits(const Inspection& result) {
+    std::vector<std::vector<WavinessLimit>> all;
+    for (const MeasuredFace& face : result.faces) {
+        const auto& limits = result.limits.of(placed(face)).flaw_limits();
+        if (face.in_scope && !limits.empty() &&
+            std::find(all.begin(), all.end(), limits) == all.end())
+            all.push_back(limits);
+    }
+    return all;
+}
+
+/// Dents and waves, each by the limits of the face on which it is deepest.
 void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
-    const std::vector<WavinessLimit>& limits = result.preset.flaw_limits();
-    const bool judged = !result.preset.surface.waviness.empty();
-    if (limits.empty()) return;
     std::vector<bool> searched;
     for (const MeasuredFace& face : result.faces) searched.push_back(face.curvature.has_value());
-    auto flaws = find_flaws(model, result.seams, result.pieces, searched, limits, job);
-    for (std::size_t i = 0; i < flaws.size(); ++i) {
-        MeasuredFace& face = result.faces[i];
-        face.flaws = std::move(flaws[i]);
-        if (!judged) continue;
-        for (const Flaw& flaw : face.flaws)
-            face.verdict = std::max(face.verdict, flaw.depth.verdict);
+    for (const std::vector<WavinessLimit>& limits : flaw_limits(result)) {
+        auto flaws = find_flaws(model, result.seams, result.pieces, searched, limits, job);
+        for (std::size_t i = 0; i < flaws.size(); ++i) {
+            MeasuredFace& face = result.faces[i];
+            const CriteriaPreset& own = result.limits.of(placed(face));
+            if (own.flaw_limits() != limits) continue;
+            face.flaws = std::move(flaws[i]);
+            if (own.surface.waviness.empty()) continue;
+            for (const Flaw& flaw : face.flaws)
+                face.verdict = std::max(face.verdict, flaw.depth.verdict);
+        }
     }
 }
 
 void add_singular_places(const ModelBorders& borders, Inspection& result, const Job& job) {
-    const CriteriaPreset& preset = result.preset;
     parallel_for(result.faces.size(), job, "", [&](std::size_t i) {
         MeasuredFace& face = result.faces[i];
-        if (!face.curvature) return;
+        if (!face.curvature || !face.in_scope) return;
+        const CriteriaPreset& preset = result.limits.of(placed(face));
         const double size = borders.sizes.of(face.instance, face.face);
         const double negligible = stretch_limits(size, size, preset, 0).negligible;
         face.singular =
@@ -142,6 +160,35 @@ void add_singular_places(const ModelBorders& borders, Inspection& result, const 
         for (const SingularPlace& place : face.singular)
             face.verdict = std::max(face.verdict, verdict_of(place.kind));
     });
+}
+
+/// Checks at borders and of structure, of the faces that they count for.
+std::vector<Check> checks_of_faces(const ModelBorders& borders, Inspection& result,
+                                   const Job& job) {
+    std::vector<Check> checks =
+        checks_at_borders(borders, result.seams, result.pieces, result.limits, result.join, job);
+    std::vector<Check> of_structure = structure_checks(borders, result.faces, result.limits, job);
+    std::move(of_structure.begin(), of_structure.end(), std::back_inserter(checks));
+    for (const Check& check : checks)
+        if (check.is_finding())
+            result.faces[check.face].verdict =
+                std::max(result.faces[check.face].verdict, check.worst.verdict);
+    return checks;
+}
+
+/// Counts stretches and faces, and takes their checks and verdicts.
+void judge_all(Inspection& result) {
+    for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
+        const MeasuredSeam& seam = result.seams[i];
+        count(seam, seam.verdict, result.counts);
+        take(seam.verdict, checks_of(seam, limits_of(result, seam), result.join, i), result);
+    }
+    for (std::uint32_t i = 0; i < result.faces.size(); ++i) {
+        const MeasuredFace& face = result.faces[i];
+        if (!face.in_scope) continue;
+        ++count_of(face.verdict, result.face_counts);
+        take(face.verdict, checks_of(face, limits_of(result, face), i), result);
+    }
 }
 
 /// Counts seams and faces anew by their checks. Returns the worst verdict that they and the
@@ -164,6 +211,7 @@ Verdict recount(Inspection& inspection) {
         worst = std::max(worst, left);
     }
     for (std::uint32_t i = 0; i < faces.size(); ++i) {
+        if (!inspection.faces[i].in_scope) continue;
         const Verdict measured = inspection.faces[i].verdict, left = faces[i].left_of(measured);
         const bool accepted = passes_as_accepted(measured, left);
         ++(accepted ? inspection.face_counts.accepted : count_of(left, inspection.face_counts));
@@ -175,50 +223,47 @@ Verdict recount(Inspection& inspection) {
 
 } // namespace
 
-Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset, double join,
+Inspection inspect(const SurfaceModel& model, const FaceLimits& limits, double join,
                    const Job& job) {
     Inspection result;
-    result.preset = preset, result.join = join;
+    result.preset = limits.preset(), result.limits = limits, result.join = join;
     if (!model.lost_faces.empty()) result.verdict = Verdict::undecided;
     const std::vector<Seam> paired = pair_seams(model, join, job);
     const ModelBorders borders(model);
-    MeasuredSeams measured = measure_all_seams(borders, paired, preset, join, job);
+    MeasuredSeams measured = measure_all_seams(borders, paired, limits, join, job);
     result.pieces = std::move(measured.pieces), result.seams = std::move(measured.seams);
     mark_irregular(model, result.seams);
     result.facts = model_facts(borders, paired, join, job);
-    result.facts.seams = line_count(result.seams);
-    result.faces = measure_faces(model, preset.surface, job);
+    result.faces = measure_faces(model, limits, job);
     add_flaws(model, result, job);
     add_singular_places(borders, result, job);
-    for (std::uint32_t i = 0; i < result.seams.size(); ++i) {
-        count(result.seams[i], result.seams[i].verdict, result.counts);
-        take(result.seams[i].verdict, checks_of(result.seams[i], preset, join, i), result);
-    }
-    std::vector<Check> at_borders =
-        checks_at_borders(borders, result.seams, result.pieces, preset, join, job);
-    std::vector<Check> of_structure =
-        structure_checks(borders, result.faces, preset.structure, job);
-    std::move(of_structure.begin(), of_structure.end(), std::back_inserter(at_borders));
-    for (const Check& check : at_borders)
-        if (check.is_finding())
-            result.faces[check.face].verdict =
-                std::max(result.faces[check.face].verdict, check.worst.verdict);
-    for (std::uint32_t i = 0; i < result.faces.size(); ++i) {
-        ++count_of(result.faces[i].verdict, result.face_counts);
-        take(result.faces[i].verdict, checks_of(result.faces[i], preset, i), result);
-    }
-    take(Verdict::pass, std::move(at_borders), result);
+    std::vector<Check> checks = checks_of_faces(borders, result, job);
+    if (limits.has_zones_or_scope()) result.scope = take_scope(limits, result.seams, result.faces);
+    result.facts.seams = line_count(result.seams);
+    judge_all(result);
+    take(Verdict::pass, std::move(checks), result);
     result.findings = ranked(result, &Check::is_finding);
     result.looks = ranked(result, &Check::is_worth_a_look);
     return result;
 }
 
+const CriteriaPreset& limits_of(const Inspection& inspection, const MeasuredSeam& seam) {
+    return inspection.scope ? inspection.limits.between(seam.side_a(), seam.side_b())
+                            : inspection.preset;
+}
+
+const CriteriaPreset& limits_of(const Inspection& inspection, const MeasuredFace& face) {
+    return inspection.scope ? inspection.limits.of(placed(face)) : inspection.preset;
+}
+
 void add_check(Inspection& inspection, Check check) {
     if (check.severity == Check::Severity::judged) {
         MeasuredFace& face = inspection.faces.at(check.face);
-        --count_of(face.verdict, inspection.face_counts);
-        face.verdict = std::max(face.verdict, check.worst.verdict);
-        ++count_of(face.verdict, inspection.face_counts);
+        if (face.in_scope) {
+            --count_of(face.verdict, inspection.face_counts);
+            face.verdict = std::max(face.verdict, check.worst.verdict);
+            ++count_of(face.verdict, inspection.face_counts);
+        }
         inspection.verdict = std::max(inspection.verdict, check.worst.verdict);
     }
     const auto insert = [&](std::vector<Check>& ranked) {

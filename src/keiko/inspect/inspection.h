@@ -3,9 +3,11 @@
 #include "keiko/base/export.h"
 #include "keiko/inspect/acceptance.h"
 #include "keiko/inspect/check.h"
+#include "keiko/inspect/judged_scope.h"
 #include "keiko/inspect/model_facts.h"
 #include "keiko/inspect/seams/seam_measure.h"
 
+#include <optional>
 #include <vector>
 
 namespace KEIKO_API keiko {
@@ -29,11 +31,14 @@ struct FaceCounts {
 
 /// The geometry of a model judged by criteria.
 struct Inspection {
-    CriteriaPreset preset;           ///< that it was judged by
+    CriteriaPreset preset; ///< that it was judged by
+    FaceLimits limits;     ///< those of the preset, and of its zones for this body
+    /// The judged part, and the zones; nullopt if the preset has no zones and all is judged.
+    std::optional<JudgedScope> scope;
     double join = 0.5;               ///< mm
     ModelFacts facts;                ///< summary of the model
     std::vector<Seam> pieces;        ///< as MeasuredSeams::pieces; MeasuredSeam::pieces points here
-    std::vector<MeasuredSeam> seams; ///< stretch by stretch
+    std::vector<MeasuredSeam> seams; ///< stretch by stretch, with a judged side
     std::vector<MeasuredFace> faces; ///< each as placed
     std::vector<Check> checks;       ///< seam by seam, then face by face: all checks of the preset
     std::vector<Check> findings; ///< those that do not pass: failures before undecided, worst first
@@ -43,7 +48,7 @@ struct Inspection {
     /// Stretches, and faces, that pass without what is accepted; rising indices.
     std::vector<std::uint32_t> accepted_seams, accepted_faces;
     SeamCounts counts;      ///< of `seams`
-    FaceCounts face_counts; ///< of `faces`
+    FaceCounts face_counts; ///< of `faces` that are judged
     /// The worst verdict of all seams and faces, without what is accepted; never pass if faces were
     /// lost, since their seams are not judged.
     Verdict verdict = Verdict::pass;
@@ -52,10 +57,16 @@ struct Inspection {
 /// Number of stages of inspect() in a job's progress.
 constexpr int inspection_stages = 7;
 
-/// Pairs, measures and judges every seam, and measures and judges every face. `join` in mm. Throws
-/// Cancelled.
-Inspection inspect(const SurfaceModel& model, const CriteriaPreset& preset = {}, double join = 0.5,
+/// Pairs, measures and judges every seam with a side in the scope, and every face that is in it.
+/// Measures all faces. `join` in mm. Throws Cancelled.
+Inspection inspect(const SurfaceModel& model, const FaceLimits& limits = {}, double join = 0.5,
                    const Job& job = {});
+
+/// Limits that a stretch of an inspection is held to: those of the zones of its sides, or of the
+/// preset.
+const CriteriaPreset& limits_of(const Inspection& inspection, const MeasuredSeam& seam);
+/// Limits that a face of an inspection is held to: those of its zone, or of the preset.
+const CriteriaPreset& limits_of(const Inspection& inspection, const MeasuredFace& face);
 
 /// Adds a check of a face that was made apart from the inspection, as if it had been made with it.
 void add_check(Inspection& inspection, Check check);

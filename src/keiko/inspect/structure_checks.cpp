@@ -5,6 +5,7 @@
 #include "keiko/inspect/structure/face_structure.h"
 
 #include <iterator>
+#include <map>
 
 namespace keiko {
 namespace {
@@ -47,32 +48,56 @@ std::vector<Check> span_checks(const SurfaceModel& model, const MeasuredFace& fa
     return checks;
 }
 
+/// The shortest edges of all faces, by the limit that they are held to.
+using EdgesByLimit = std::map<double, std::map<FaceKey, MeasuredValue>>;
+
+EdgesByLimit edges_by_limit(const ModelBorders& borders, std::span<const MeasuredFace> faces,
+                            const FaceLimits& limits, const Job& job) {
+    EdgesByLimit edges;
+    for (const MeasuredFace& face : faces) {
+        const auto& limit = limits.of({face.instance, face.face}).structure.short_edge;
+        if (limit && face.in_scope && !edges.contains(*limit))
+            edges[*limit] = shortest_edges(borders, *limit, job);
+    }
+    return edges;
+}
+
+/// Adds the checks of the edges and the size of a face to those of its spans.
+void add_border_checks(const ModelBorders& borders, const MeasuredFace& face,
+                       const StructureLimits& limits, const EdgesByLimit& edges,
+                       std::vector<Check>& checks) {
+    const FaceKey key{face.instance, face.face};
+    if (limits.short_edge) {
+        const auto& of_limit = edges.at(*limits.short_edge);
+        const auto found = of_limit.find(key);
+        checks.push_back(check_of_structure(
+            "G-CU-TI", found == of_limit.end() ? std::nullopt : std::optional(found->second),
+            no_edge));
+    }
+    if (limits.small_face)
+        checks.push_back(check_of_structure(
+            "G-FA-TI", face_size(borders, key, place_of(borders.model, face), *limits.small_face),
+            "the face has no borders"));
+}
+
 } // namespace
 
 std::vector<Check> structure_checks(const ModelBorders& borders,
-                                    std::span<const MeasuredFace> faces,
-                                    const StructureLimits& limits, const Job& job) {
+                                    std::span<const MeasuredFace> faces, const FaceLimits& limits,
+                                    const Job& job) {
+    const auto limits_of = [&](std::size_t i) -> const StructureLimits& {
+        return limits.of({faces[i].instance, faces[i].face}).structure;
+    };
     std::vector<std::vector<Check>> of_faces(faces.size());
     parallel_for(faces.size(), job, "", [&](std::size_t i) {
-        of_faces[i] = span_checks(borders.model, faces[i], limits);
+        if (faces[i].in_scope) of_faces[i] = span_checks(borders.model, faces[i], limits_of(i));
     });
-    std::map<FaceKey, MeasuredValue> edges;
-    if (limits.short_edge) edges = shortest_edges(borders, *limits.short_edge, job);
+    const EdgesByLimit edges = edges_by_limit(borders, faces, limits, job);
     std::vector<Check> checks;
     for (std::uint32_t i = 0; i < faces.size(); ++i) {
-        const FaceKey key{faces[i].instance, faces[i].face};
+        if (!faces[i].in_scope) continue;
         std::vector<Check>& of_face = of_faces[i];
-        if (limits.short_edge) {
-            const auto found = edges.find(key);
-            of_face.push_back(check_of_structure(
-                "G-CU-TI", found == edges.end() ? std::nullopt : std::optional(found->second),
-                no_edge));
-        }
-        if (limits.small_face)
-            of_face.push_back(check_of_structure(
-                "G-FA-TI",
-                face_size(borders, key, place_of(borders.model, faces[i]), *limits.small_face),
-                "the face has no borders"));
+        add_border_checks(borders, faces[i], limits_of(i), edges, of_face);
         for (Check& check : of_face) check.face = i, check.faces = faces[i].name;
         std::move(of_face.begin(), of_face.end(), std::back_inserter(checks));
     }

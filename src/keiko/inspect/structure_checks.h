@@ -8,10 +8,10 @@
 
 namespace keiko {
 
-/// The criteria of the preset's StructureLimits held against each measured face: spans, patches and
-/// edges. Empty if it has none. Throws Cancelled.
+/// The criteria of a face's StructureLimits held against each measured face in the scope: spans,
+/// patches and edges. Empty if none has any. Throws Cancelled.
 std::vector<Check> structure_checks(const ModelBorders& borders,
-                                    std::span<const MeasuredFace> faces,
-                                    const StructureLimits& limits, const Job& job = {});
+                                    std::span<const MeasuredFace> faces, const FaceLimits& limits,
+                                    const Job& job = {});
 
 } // namespace keiko

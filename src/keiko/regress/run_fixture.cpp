@@ -9,6 +9,7 @@
 #include "keiko/report/record_files.h"
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 #include <iterator>
 
@@ -66,7 +67,8 @@ void append(std::vector<Metric>& to, std::vector<Metric> more) {
 void measure_geometry(const Scene& scene, const FixtureSpec& spec, FixtureRecord& record,
                       const Job& job) {
     if (!spec.checks.shape && !spec.checks.seams) return;
-    const Inspection inspection = inspect(scene.model, spec.preset, spec.join, job);
+    const Inspection inspection =
+        inspect(scene.model, limits_in(scene, spec.preset, {}, job), spec.join, job);
     if (spec.checks.shape) append(record.metrics, shape_metrics(scene.model, inspection.facts));
     if (spec.checks.seams) append(record.metrics, seam_metrics(inspection));
 }

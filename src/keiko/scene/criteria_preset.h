@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/scene/face_selection.h"
 #include "keiko/scene/symmetry.h"
 
 #include <optional>
@@ -79,6 +80,8 @@ struct LookLimits {
     bool operator==(const LookLimits&) const = default;
 };
 
+struct Zone;
+
 /// Limits that a surface is held to. They are practice, not a standard; `source` states whose.
 /// Users name or write a preset file (keiko-preset/1, read_preset); the values here are those of
 /// the class-a-outer that comes with Keiko, which searches for dents and waves too.
@@ -102,6 +105,9 @@ struct CriteriaPreset {
     SurfaceLimits surface{};                                ///< of each face by itself
     StructureLimits structure{};                            ///< of patches and edges
     LookLimits look{};                                      ///< of what is worth inspecting
+    /// Faces with limits of their own. A face belongs to the first that selects it, and is judged
+    /// by the limits above without any.
+    std::vector<Zone> zones;
 
     /// The limits by which dents and waves are searched for: those that are judged, else the
     /// others.
@@ -110,6 +116,19 @@ struct CriteriaPreset {
     }
 
     bool operator==(const CriteriaPreset&) const = default;
+};
+
+/// Faces with limits of their own, such as the class B surfaces of a body.
+struct Zone {
+    std::string name;        ///< unique in its preset
+    std::string file;        ///< path of the file that has it, for messages
+    FaceSelection selection; ///< at least one condition
+    /// Limits of its faces, without zones. `feature_angle`, `longest_run_out`, `negligible`,
+    /// `flat_radius`, the symmetry and `look` are those of the preset: what a place of a seam is
+    /// does not depend on the zone.
+    CriteriaPreset limits;
+
+    bool operator==(const Zone&) const = default;
 };
 
 } // namespace keiko

@@ -123,13 +123,13 @@ StandingEyes::StandingEyes(const SurfaceModel& model, const Tracer& tracer,
 }
 
 /// Whether each view shows each place, view after view.
-std::vector<bool> StandingEyes::visibility(std::span<const SightPlace> places) const {
+std::vector<bool> StandingEyes::visibility(std::span<const Vec3> places) const {
     std::vector<Ray> rays;
     for (const Vec3& eye : eyes_)
-        for (const SightPlace& at : places) {
+        for (const Vec3& place : places) {
             Ray ray;
-            ray.origin = at.place, ray.direction = (eye - at.place).normalized();
-            ray.t_min = clearance, ray.t_max = (eye - at.place).length();
+            ray.origin = place, ray.direction = (eye - place).normalized();
+            ray.t_min = clearance, ray.t_max = (eye - place).length();
             rays.push_back(ray);
         }
     std::vector<bool> seen = tracer_.any(rays);
@@ -137,8 +137,18 @@ std::vector<bool> StandingEyes::visibility(std::span<const SightPlace> places) c
     return seen;
 }
 
-Sight StandingEyes::sight(std::span<const SightPlace> places) const {
+std::vector<bool> StandingEyes::shown(std::span<const Vec3> places) const {
     const std::vector<bool> shows = visibility(places);
+    std::vector<bool> shown(places.size());
+    for (std::size_t i = 0; i < shows.size(); ++i)
+        if (shows[i]) shown[i % places.size()] = true;
+    return shown;
+}
+
+Sight StandingEyes::sight(std::span<const SightPlace> places) const {
+    std::vector<Vec3> points;
+    for (const SightPlace& at : places) points.push_back(at.place);
+    const std::vector<bool> shows = visibility(points);
     Sight sight;
     for (std::size_t i = 0; i < places.size(); ++i) {
         bool is_seen = false;

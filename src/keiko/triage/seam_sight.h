@@ -59,11 +59,13 @@ public:
     /// Sights of all measured stretches, by their indices; empty for those not in `stretches`.
     std::vector<Sight> sights(const Inspection& inspection,
                               std::span<const std::uint32_t> stretches, const Job& job) const;
+    /// True for each place, world, mm, that at least one view shows.
+    std::vector<bool> shown(std::span<const Vec3> places) const;
     /// Sight of the worst place of a check of a face or of lines.
     Sight sight(const Inspection& inspection, const Check& check) const;
 
 private:
-    std::vector<bool> visibility(std::span<const SightPlace> places) const;
+    std::vector<bool> visibility(std::span<const Vec3> places) const;
 
     const SurfaceModel& model_;
     const Tracer& tracer_;

@@ -9,6 +9,7 @@
 #include "keiko/workflow/open_scene.h"
 #include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 #include <numeric>
 
@@ -32,18 +33,21 @@ Combs combs_of(const SurfaceModel& model, const CombOptions& options, const Job&
 std::vector<SeamProfile> profiles_of(const SurfaceModel& model, const Inspection& inspection,
                                      std::span<const std::uint32_t> seams, const Job& job) {
     if (seams.empty()) return {};
-    return seam_profiles(model, inspection.seams, inspection.pieces, seams, inspection.preset, job);
+    return seam_profiles(model, inspection.seams, inspection.pieces, seams, inspection.limits, job);
 }
 
 CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
                          const Job& job) {
     const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
-    constexpr double reading = 2, measuring = 18, symmetry = 1, drawing = 1;
+    constexpr double reading = 2, choosing = 0.5, measuring = 18, symmetry = 1, drawing = 1;
     const bool combs = has_curves(options.combs);
-    JobSteps steps(job, reading + measuring + symmetry + drawing * (combs + options.profiles));
+    JobSteps steps(
+        job, reading + choosing + measuring + symmetry + drawing * (combs + options.profiles));
     const SurfaceModel model = read_body(spec, options.load, steps.next(reading)).model;
+    const FaceLimits limits =
+        zoned_limits({model}, options.preset, options.scope, steps.next(choosing));
     CheckResult result{
-        inspect(model, options.preset, options.join, steps.next(measuring, inspection_stages))};
+        inspect(model, limits, options.join, steps.next(measuring, inspection_stages))};
     check_symmetry(model, result.inspection, steps.next(symmetry));
     accept_findings(result.inspection, options.acceptances);
     if (combs) result.combs = combs_of(model, options.combs, steps.next(drawing));

@@ -45,6 +45,7 @@ struct CheckOptions {
     CombOptions combs{};          ///< sections and iso-curves; none unless requested
     bool profiles = false;        ///< of every stretch of a seam
     AcceptanceList acceptances{}; ///< findings that have no part in the verdict
+    Scope scope{};                ///< part of the body that is judged
 };
 
 /// Result of a check.

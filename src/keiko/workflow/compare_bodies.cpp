@@ -3,6 +3,7 @@
 #include "keiko/base/job_steps.h"
 #include "keiko/compare/shape/deviation_map.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/film/image_difference.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/signed_color_picture.h"
 #include "keiko/geometry/trim/material_bounds.h"
@@ -11,10 +12,14 @@
 #include "keiko/workflow/find_lines.h"
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace keiko {
 namespace fs = std::filesystem;
@@ -53,26 +58,71 @@ ClosestPointQuery aligned(Scene& after, const ClosestPointQuery& before,
     return ClosestPointQuery(placed_model(after.model), job);
 }
 
-void compare_geometry(const ClosestPointQuery& before, const ClosestPointQuery& after,
-                      const CompareBodiesOptions& options, Comparison& comparison, const Job& job) {
+/// Both bodies, or the parts of them that are compared.
+struct BodyPair {
+    const ClosestPointQuery &before, &after;
+};
+
+DeviationOptions deviation_options(const ClosestPointQuery& before,
+                                   const CompareBodiesOptions& options, const Job& job) {
     DeviationOptions deviation = options.deviation;
     constexpr double fiftieth = 0.02;
     deviation.reach = options.reach > 0
                           ? options.reach
                           : fiftieth * material_bounds(before.body().model, job).size();
-    constexpr int stages = 2;
-    JobSteps steps(job, 2);
-    comparison.deviation = measure_deviation(after, before, deviation, steps.next(1, stages));
-    comparison.missing = measure_deviation(before, after, deviation, steps.next(1, stages));
+    return deviation;
 }
 
-void compare_seams(const Scene& before, const Scene& after, const CompareBodiesOptions& options,
-                   Comparison& comparison, const Job& job) {
+/// Compares the parts in the scope, each with the whole of the other body.
+void compare_geometry(const BodyPair& whole, const BodyPair& parts,
+                      const CompareBodiesOptions& options, Comparison& comparison, const Job& job) {
+    constexpr int stages = 2;
+    JobSteps steps(job, 2);
+    const DeviationOptions deviation = deviation_options(whole.before, options, job);
+    comparison.deviation =
+        measure_deviation(parts.after, whole.before, deviation, steps.next(1, stages));
+    comparison.missing =
+        measure_deviation(parts.before, whole.after, deviation, steps.next(1, stages));
+}
+
+/// The faces of a body in the scope.
+PlacedModel part_in_scope(const PlacedModel& body, const FaceLimits& limits) {
+    PlacedModel part = body;
+    part.model.faces.clear(), part.model.patches.clear(), part.origin.clear();
+    for (std::size_t i = 0; i < body.origin.size(); ++i) {
+        if (!limits.in_scope(body.origin[i])) continue;
+        Face face = body.model.faces[i];
+        const std::span<const Patch> patches = body.model.patches_of(face);
+        face.first_patch = static_cast<std::uint32_t>(part.model.patches.size());
+        for (Patch patch : patches) {
+            patch.face = static_cast<std::uint32_t>(part.model.faces.size());
+            part.model.patches.push_back(patch);
+        }
+        part.model.faces.push_back(std::move(face)), part.origin.push_back(body.origin[i]);
+    }
+    part.model.parts.front().face_count = static_cast<std::uint32_t>(part.model.faces.size());
+    return part;
+}
+
+/// The part of a body in the scope, unless that is all of it.
+std::optional<ClosestPointQuery> query_in_scope(const ClosestPointQuery& body,
+                                                const FaceLimits& limits, const Job& job) {
+    if (limits.scope().empty()) return std::nullopt;
+    return std::optional<ClosestPointQuery>(std::in_place, part_in_scope(body.body(), limits), job);
+}
+
+/// Limits of the faces of both bodies.
+struct LimitPair {
+    FaceLimits before, after;
+};
+
+void compare_seams(const Scene& before, const Scene& after, const LimitPair& limits,
+                   const CompareBodiesOptions& options, Comparison& comparison, const Job& job) {
     JobSteps steps(job, 2);
     comparison.inspection_before =
-        inspect(before.model, options.preset, options.join, steps.next(1, inspection_stages));
+        inspect(before.model, limits.before, options.join, steps.next(1, inspection_stages));
     comparison.inspection_after =
-        inspect(after.model, options.preset, options.join, steps.next(1, inspection_stages));
+        inspect(after.model, limits.after, options.join, steps.next(1, inspection_stages));
     comparison.seams = compare_inspections(comparison.inspection_before,
                                            comparison.inspection_after, options.seams);
 }
@@ -84,6 +134,7 @@ struct ComparedScenes {
     const ClosestPointQuery &feet_before, &feet_after;
     SharedFaces& faces;
     const Deviation& deviation; ///< of the latter from the former
+    const LimitPair& limits;
 };
 
 /// Source of the lamps of the views, for the report.
@@ -94,16 +145,52 @@ std::string source_of(const ChosenLights& lights, const CompareViewsOptions& opt
 
 /// The lines of a rig's lamps on one body, a view each.
 std::vector<JoinedLines> lines_of(const Scene& scene, const LightRig& rig,
-                                  std::span<const NamedView> views,
+                                  std::span<const NamedView> views, const FaceLimits& limits,
                                   const CompareBodiesOptions& options, const Job& job) {
     std::vector<JoinedLines> lines(views.size());
     if (!has_lines(rig)) return lines;
     LinesOptions asked;
     asked.preset = options.preset;
     asked.join = options.join;
-    LineList list = lines_under(scene, rig, views, asked, job);
+    LineList list = lines_under(scene, rig, views, asked, limits, job);
     for (std::size_t i = 0; i < views.size(); ++i) lines[i] = std::move(list.views[i].found);
     return lines;
+}
+
+/// The lines that touch faces in the scope, as a whole.
+JoinedLines lines_in_scope(JoinedLines lines, const FaceLimits& limits) {
+    std::erase_if(lines.lines, [&](const JoinedLine& line) {
+        return std::none_of(line.pieces.begin(), line.pieces.end(), [&](std::uint32_t piece) {
+            const SurfaceLine& on = lines.pieces[piece];
+            return limits.in_scope({on.instance, on.face});
+        });
+    });
+    return lines;
+}
+
+/// Numbers of the faces with an instance in the scope, as pictures have them.
+std::set<float> ids_in_scope(const SurfaceModel& model, const FaceLimits& limits) {
+    std::set<float> ids;
+    for (const PlacedFace& face : placed_faces(model))
+        if (limits.in_scope(face)) ids.insert(static_cast<float>(model.faces[face.face].id));
+    return ids;
+}
+
+/// 1 in the pixels of two pictures that show no face in the scope, 1 channel; nothing if all faces
+/// are. Pictures show faces by Face::id.
+std::optional<Image> pixels_out_of_scope(const SurfaceModel& before, const Film& film_before,
+                                         const SurfaceModel& after, const Film& film_after,
+                                         const LimitPair& limits) {
+    if (limits.before.scope().empty()) return std::nullopt;
+    const std::set<float> ids_before = ids_in_scope(before, limits.before),
+                          ids_after = ids_in_scope(after, limits.after);
+    const Image &a = film_before.aovs.at(Aov::face), &b = film_after.aovs.at(Aov::face);
+    Image out(a.width, a.height, 1);
+    for (int y = 0; y < out.height; ++y)
+        for (int x = 0; x < out.width; ++x)
+            if (!ids_before.contains(*a.pixel(x, y)) && !ids_after.contains(*b.pixel(x, y)))
+                *out.pixel(x, y) = 1;
+    return out;
 }
 
 /// Deviation at which a map is saturated, mm: nearly all of the area lies within.
@@ -151,8 +238,10 @@ public:
         compared.picture.view = view.name;
         compare_pictures(view.camera, compared, pngs, job);
         draw_map(view.camera, compared, pngs, job);
-        compared.lines = line_shifts(before, after, options_.views->shift, job);
-        compared.after_lines = line_shifts(after, before, options_.views->shift, job);
+        const LimitPair& limits = scenes_.limits;
+        const LineShiftOptions& shift = options_.views->shift;
+        compared.lines = line_shifts(lines_in_scope(before, limits.before), after, shift, job);
+        compared.after_lines = line_shifts(lines_in_scope(after, limits.after), before, shift, job);
         return compared;
     }
 
@@ -161,12 +250,17 @@ private:
                           const Job& job) {
         Film before = render_view(scenes_.before, rig_, camera, picture_, job);
         Film after = render_view(scenes_.after, rig_, camera, picture_, job);
+        const std::optional<Image> out = pixels_out_of_scope(
+            scenes_.before.model, before, scenes_.after.model, after, scenes_.limits);
+        const Image* left_out = out ? &*out : nullptr;
         scenes_.faces.rename_before(before), scenes_.faces.rename_after(after);
         const OutlineComparison outlines(before_, after_, camera, outline_tolerance(),
                                          scenes_.deviation.reach);
         FilmTolerance tolerance = options_.views->tolerance;
-        view.outlines = outline_difference(outlines, before, after,
-                                           film_difference(before, after, tolerance), camera, job);
+        view.outlines =
+            outline_difference(outlines, before, after,
+                               film_difference(before, after, tolerance, left_out), camera, job);
+        if (left_out) view.outlines.left_out = larger_of(view.outlines.left_out, *left_out);
         tolerance.flips = 0; // the remaining ones are measured to be too large
         const FilmDifference difference =
             film_difference(before, after, tolerance, &view.outlines.left_out);
@@ -213,10 +307,10 @@ void compare_views(const ComparedScenes& scenes, const CompareBodiesOptions& opt
     result.comparison.rig = source_of(lights, *options.views);
     result.rig = std::move(lights.rig);
     ViewComparer comparer(scenes, *result.rig, options);
-    const auto before = lines_of(scenes.before, *result.rig, views, options,
+    const auto before = lines_of(scenes.before, *result.rig, views, scenes.limits.before, options,
                                  steps.next_of_steps(following * count));
-    const auto after =
-        lines_of(scenes.after, *result.rig, views, options, steps.next_of_steps(following * count));
+    const auto after = lines_of(scenes.after, *result.rig, views, scenes.limits.after, options,
+                                steps.next_of_steps(following * count));
     for (std::size_t i = 0; i < views.size(); ++i)
         result.comparison.views.push_back(
             comparer.compare(views[i], before[i], after[i], result.comparison.pngs,
@@ -234,23 +328,36 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
     if (options.mirror) comparison.after += ", mirrored at " + options.mirror->text();
     comparison.tolerance = options.tolerance;
     constexpr double opening = 2, aligning = 2, measuring = 4, inspecting = 16, viewing = 30;
-    JobSteps steps(job,
-                   2 * opening + aligning + measuring + inspecting + (options.views ? viewing : 0));
+    JobSteps steps(job, 2 * opening + aligning + limiting + measuring + inspecting +
+                            (options.views ? viewing : 0));
     const Scene scene_before = opened(before, options, steps.next_of_steps(opening));
     Scene scene_after = opened_after(after, options, steps.next_of_steps(opening));
     const Job to_align = steps.next(aligning, 3);
     const ClosestPointQuery feet_before(placed_model(scene_before.model), to_align);
     const ClosestPointQuery feet_after =
         aligned(scene_after, feet_before, options, comparison, to_align);
-    comparison.faces_before = names_of(scene_before.model, feet_before.body());
-    comparison.faces_after = names_of(scene_after.model, feet_after.body());
-    compare_geometry(feet_before, feet_after, options, comparison, steps.next_of_steps(measuring));
-    compare_seams(scene_before, scene_after, options, comparison, steps.next_of_steps(inspecting));
+    const Job to_limit = steps.next(limiting, 2);
+    const LimitPair limits{limits_in(scene_before, options.preset, options.scope, to_limit),
+                           limits_in(scene_after, options.preset, options.scope, to_limit)};
+    const auto part_before = query_in_scope(feet_before, limits.before, to_limit);
+    const auto part_after = query_in_scope(feet_after, limits.after, to_limit);
+    const BodyPair whole{feet_before, feet_after};
+    const BodyPair parts{part_before ? *part_before : feet_before,
+                         part_after ? *part_after : feet_after};
+    comparison.faces_before = names_of(scene_before.model, parts.before.body());
+    comparison.faces_after = names_of(scene_after.model, parts.after.body());
+    compare_geometry(whole, parts, options, comparison, steps.next_of_steps(measuring));
+    compare_seams(scene_before, scene_after, limits, options, comparison,
+                  steps.next_of_steps(inspecting));
     if (!options.views) return result;
-    SharedFaces faces(feet_before.body(), comparison.missing, feet_after.body(),
-                      comparison.deviation);
-    compare_views({scene_before, scene_after, feet_before, feet_after, faces, comparison.deviation},
-                  options, result, steps.next_of_steps(viewing));
+    Comparison of_all; // pictures show whole bodies
+    if (part_before)
+        compare_geometry(whole, whole, options, of_all, steps.next_of_steps(measuring));
+    const Comparison& shown = part_before ? of_all : comparison;
+    SharedFaces faces(feet_before.body(), shown.missing, feet_after.body(), shown.deviation);
+    compare_views(
+        {scene_before, scene_after, feet_before, feet_after, faces, shown.deviation, limits},
+        options, result, steps.next_of_steps(viewing));
     return result;
 }
 

@@ -29,6 +29,7 @@ struct CompareBodiesOptions {
     double reach = 0;                           ///< mm; 0: a fiftieth of the former's size
     std::optional<MirrorPlane> mirror{};        ///< reflects the latter at this plane
     bool align = false;                         ///< moves the latter onto the former first
+    Scope scope{};                              ///< part of both bodies that is compared
     std::optional<CompareViewsOptions> views{}; ///< none: geometry alone
 };
 

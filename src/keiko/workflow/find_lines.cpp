@@ -6,6 +6,7 @@
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 namespace keiko {
 namespace {
@@ -56,9 +57,10 @@ bool has_lines(const LightRig& rig) {
 }
 
 LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const NamedView> views,
-                     const LinesOptions& options, const Job& job) {
+                     const LinesOptions& options, const FaceLimits& limits, const Job& job) {
     const std::vector<CPlane> planes = planes_of(rig);
-    LineList list{version(), rig.name, options.lines.look, options.preset, options.join, {}};
+    LineList list{version(), rig.name, options.lines.look, limits.preset(), options.join, {}};
+    if (limits.has_zones_or_scope()) list.scope = scope_of_faces(scene.model, limits);
     constexpr double pairing = 0.2; // of what a view takes
     constexpr int view_stages = 4;
     JobSteps steps(job, pairing + static_cast<double>(views.size()));
@@ -69,7 +71,7 @@ LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const Na
             surface_lines(scene.model, scene.seen(), planes, view.camera, options.lines, of_view);
         list.views.push_back({view.name, view.camera,
                               join_lines(scene.model, seams, std::move(pieces), planes, view.camera,
-                                         options.lines.look, options.preset, of_view)});
+                                         options.lines.look, limits, of_view)});
     }
     return list;
 }
@@ -80,9 +82,10 @@ LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& 
         throw Error("", "rig '" + rig.name + "'", "has no C-plane, so that there are no lines");
     constexpr double choosing = 1, following = 4;
     JobSteps steps(job, choosing + following);
-    const std::vector<NamedView> views =
-        choose_views(scene, options.views, 1, steps.next(choosing));
-    return lines_under(scene, rig, views, options, steps.next_of_steps(following));
+    const Job to_choose = steps.next(choosing, 2);
+    const FaceLimits limits = limits_in(scene, options.preset, options.scope, to_choose);
+    const std::vector<NamedView> views = choose_views(scene, options.views, 1, to_choose);
+    return lines_under(scene, rig, views, options, limits, steps.next_of_steps(following));
 }
 
 Image with_lines(const Film& film, const LineList& list, std::size_t view) {

@@ -23,6 +23,7 @@ struct LinesOptions {
     SurfaceLineOptions lines;                           ///< of the search on the surfaces
     CriteriaPreset preset = standard_presets().front(); ///< limits of the crossings
     double join = 0.5;                                  ///< mm
+    Scope scope{};                                      ///< part of the body that is judged
 };
 
 /// The reflection lines, highlight lines or isophotes of a rig's lamps on the body in views of a
@@ -36,9 +37,10 @@ LightRig rig_for_lines(const Scene& scene, const LinesOptions& options);
 /// True if a rig has lamps whose lines can be followed.
 bool has_lines(const LightRig& rig);
 
-/// Lines as in find_lines, for a rig that has lines and for chosen views.
+/// Lines as in find_lines, for a rig that has lines, for chosen views and for limits of the faces
+/// that are known: the preset and the scope of the options are not read.
 LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const NamedView> views,
-                     const LinesOptions& options, const Job& job);
+                     const LinesOptions& options, const FaceLimits& limits, const Job& job);
 
 /// The picture of one view of a list with its lines drawn over it and their crossings marked by
 /// verdict, the worst of the list numbered by their rank.

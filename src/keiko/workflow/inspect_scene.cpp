@@ -10,6 +10,7 @@
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/report_pictures.h"
 #include "keiko/workflow/version.h"
+#include "keiko/workflow/zoned_limits.h"
 
 #include <algorithm>
 #include <array>
@@ -52,7 +53,8 @@ void add_lines(Report& report, const Scene& scene, const InspectResult& result,
     LinesOptions asked;
     asked.preset = options.preset;
     asked.join = options.join;
-    report.lines = lines_under(scene, result.rig, views, asked, job);
+    report.lines =
+        lines_under(scene, result.rig, views, asked, result.report.inspection.limits, job);
     report.lines->acceptances = options.acceptances;
     for (std::size_t i = 0; i < views.size(); ++i)
         report.line_pictures.push_back(
@@ -95,9 +97,9 @@ PictureOptions without_aovs(PictureOptions options) {
 
 /// Shares of the time of an inspection, as on the concept car and the hood of `surfaces`.
 struct InspectWeights {
-    static constexpr double choosing = 1.5, registering = 1, placing = 3, measuring = 18,
-                            symmetry = 1, picture = 2.5, lines = 3, triage = 1, combs = 1,
-                            close_ups = 8;
+    static constexpr double choosing = 1.5, registering = 1, placing = 3, limiting = 0.5,
+                            measuring = 18, symmetry = 1, picture = 2.5, lines = 3, triage = 1,
+                            combs = 1, close_ups = 8;
 };
 
 constexpr int automatic_views = 3;
@@ -106,8 +108,9 @@ double weight_of(const InspectOptions& options) {
     using W = InspectWeights;
     const double views =
         options.views.empty() ? automatic_views : static_cast<double>(options.views.size());
-    return W::choosing + W::placing + W::measuring + W::symmetry + (W::picture + W::lines) * views +
-           W::triage + W::close_ups + (options.register_hits ? W::registering : 0) +
+    return W::choosing + W::placing + W::limiting + W::measuring + W::symmetry +
+           (W::picture + W::lines) * views + W::triage + W::close_ups +
+           (options.register_hits ? W::registering : 0) +
            (has_curves(options.combs) ? W::combs : 0);
 }
 
@@ -138,7 +141,9 @@ void choose_rig(const Scene& scene, const InspectOptions& options, std::span<con
 }
 
 Inspection measured(const Scene& scene, const InspectOptions& options, JobSteps& steps) {
-    Inspection found = inspect(scene.model, options.preset, options.join,
+    const FaceLimits limits =
+        limits_in(scene, options.preset, options.scope, steps.next(InspectWeights::limiting));
+    Inspection found = inspect(scene.model, limits, options.join,
                                steps.next(InspectWeights::measuring, inspection_stages));
     check_symmetry(scene.model, found, steps.next(InspectWeights::symmetry));
     accept_findings(found, options.acceptances);

@@ -28,6 +28,7 @@ struct InspectOptions {
     bool register_hits = false;   ///< of the views, for InspectResult::hits
     CombOptions combs{};          ///< sections and iso-curves; none unless requested
     AcceptanceList acceptances{}; ///< findings that have no part in the verdict
+    Scope scope{};                ///< part of the body that is judged
 };
 
 /// Results of an inspection, for writing or display.

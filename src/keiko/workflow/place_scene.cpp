@@ -7,9 +7,8 @@
 #include "keiko/placement/place_lamps.h"
 #include "keiko/placement/plane_frame.h"
 #include "keiko/report/json/placement_json.h"
+#include "keiko/workflow/face_sets.h"
 #include "keiko/workflow/version.h"
-
-#include <fnmatch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,19 +16,13 @@
 namespace keiko {
 namespace {
 
-/// True if `pattern` is the number of a face or matches its name.
-bool means(const std::string& pattern, const Face& face) {
-    return pattern == std::to_string(face.id) ||
-           fnmatch(pattern.c_str(), face.name.c_str(), 0) == 0;
-}
-
 std::vector<std::uint32_t> faces_meant(const SurfaceModel& model,
                                        std::span<const std::string> patterns) {
     std::vector<bool> wanted(model.faces.size(), false);
     for (const std::string& pattern : patterns) {
         bool found = false;
         for (std::size_t i = 0; i < model.faces.size(); ++i) {
-            if (!means(pattern, model.faces[i])) continue;
+            if (!names_face(pattern, model.faces[i])) continue;
             wanted[i] = found = true;
         }
         if (!found)

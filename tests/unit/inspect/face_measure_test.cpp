@@ -55,7 +55,7 @@ TEST(FaceMeasure, CountsWhatAnApproximationMayBeOff) {
     const auto verdict = [](double radius, double off) {
         SurfaceModel model = cylinder(radius);
         model.faces[0].approximated = off;
-        return measure_faces(model, at_least(0.5).surface).front().verdict;
+        return measure_faces(model, at_least(0.5)).front().verdict;
     };
     EXPECT_EQ(verdict(0.4, 1e-7), Verdict::fail);
     EXPECT_EQ(verdict(0.4, 0.01), Verdict::undecided);

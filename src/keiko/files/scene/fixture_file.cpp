@@ -4,6 +4,7 @@
 #include "keiko/base/text.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/preset_file.h"
+#include "keiko/files/scene/zone_table.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/scene/view.h"
 
@@ -78,6 +79,18 @@ CriteriaPreset preset_from(const TomlTable& root) {
     } catch (const Error& error) {
         throw root.error("preset", error.reason());
     }
+}
+
+/// Puts the zones of the fixture before those of its preset.
+void read_zones(const TomlTable& root, CriteriaPreset& preset) {
+    std::vector<Zone> zones = zones_from(root, preset);
+    for (const Zone& zone : preset.zones) {
+        if (std::any_of(zones.begin(), zones.end(),
+                        [&](const Zone& own) { return own.name == zone.name; }))
+            throw root.error("zone", "'" + shortened(zone.name) + "' is a zone of the preset, too");
+        zones.push_back(zone);
+    }
+    preset.zones = std::move(zones);
 }
 
 /// "auto" would choose another view after the change that it should show.
@@ -185,6 +198,7 @@ FixtureSpec parse_fixture(std::string_view text, const std::string& source) {
     read_views(root, fixture);
     if (const auto rig = root.text("rig")) fixture.rig = readable_path(root, "rig", *rig);
     fixture.preset = preset_from(root);
+    read_zones(root, fixture.preset);
     fixture.join = root.number("join", joins).value_or(fixture.join);
     fixture.layers = words_of(root, "layers", fixture_layers);
     fixture.shadows = root.flag("shadows").value_or(false);

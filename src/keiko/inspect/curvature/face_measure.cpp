@@ -70,20 +70,16 @@ MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::ui
 
 } // namespace
 
-std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const SurfaceLimits& limits,
+std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const FaceLimits& limits,
                                         const Job& job) {
-    struct Placed {
-        std::uint32_t instance, face;
-    };
-    std::vector<Placed> placed;
-    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
-        const Part& part = model.parts[model.instances[i].part];
-        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f)
-            if (model.faces[f].patch_count > 0) placed.push_back({i, f});
-    }
+    std::vector<PlacedFace> placed = placed_faces(model);
+    std::erase_if(placed,
+                  [&](const PlacedFace& f) { return model.faces[f.face].patch_count == 0; });
     std::vector<MeasuredFace> faces(placed.size());
     parallel_for(placed.size(), job, "faces", [&](std::size_t i) {
-        faces[i] = measured(model, placed[i].instance, placed[i].face, limits);
+        faces[i] =
+            measured(model, placed[i].instance, placed[i].face, limits.of(placed[i]).surface);
+        faces[i].in_scope = limits.in_scope(placed[i]);
     });
     return faces;
 }

@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/inspect/basics/face_limits.h"
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/regularity/singular_places.h"
@@ -94,12 +95,13 @@ struct MeasuredFace {
     /// Curves along which the face turns from convex or concave to a saddle, the longest first; not
     /// judged. Empty for a face that replaces another.
     std::vector<InflectionCurve> inflections;
-    Verdict verdict = Verdict::pass; ///< the worst of all its verdicts
+    Verdict verdict = Verdict::pass; ///< the worst of all its verdicts; pass out of the scope
+    bool in_scope = true;            ///< false: not judged
 };
 
 /// Measures and judges every placed face by itself, without flaws, in the order of instances and
 /// faces. Throws Cancelled.
-std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const SurfaceLimits& limits,
+std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const FaceLimits& limits,
                                         const Job& job = {});
 
 } // namespace keiko

@@ -180,8 +180,8 @@ const PlacedFace& face_at(const std::vector<WayPoint>& way, double s) {
 
 class BendSearch {
 public:
-    BendSearch(const ModelBorders& borders, std::span<const Seam> pieces,
-               const CriteriaPreset& limits, const SidedFaces& faces)
+    BendSearch(const ModelBorders& borders, std::span<const Seam> pieces, const FaceLimits& limits,
+               const SidedFaces& faces)
         : borders_(borders), pieces_(pieces), limits_(limits), ways_(faces) {}
 
     /// The worst bend about a seam, with the length of all.
@@ -215,11 +215,13 @@ private:
     std::optional<NarrowBend> bend_at(double negligible, const Seam& piece,
                                       const SeamPoint& at) const {
         const SurfaceCurve a = borders_.curves.curve(piece.a), b = borders_.curves.curve(piece.b);
+        const PlacedFace on_a{piece.a.instance, piece.a.face}, on_b{piece.b.instance, piece.b.face};
+        const CriteriaPreset& limits = limits_.between(on_a, on_b);
         const auto frame = a.frame(at.t);
         if (!frame) return std::nullopt;
         const Vec3& run = frame->tangent;
-        const auto ahead = ways_.from({piece.b.instance, piece.b.face}, b, at.s, run, negligible);
-        auto behind = ways_.from({piece.a.instance, piece.a.face}, a, at.t, -run, negligible);
+        const auto ahead = ways_.from(on_b, b, at.s, run, negligible);
+        auto behind = ways_.from(on_a, a, at.t, -run, negligible);
         for (WayPoint& p : behind) p.s = -p.s;
         constexpr double rounding = 1e-9;
         NarrowBend worst;
@@ -233,20 +235,21 @@ private:
                 const auto& on = middle < 0 ? behind : ahead;
                 worst = {face_at(on, std::abs(middle)),
                          {from.face, into.face},
+                         {on_a, on_b},
                          width,
                          angle,
                          0,
                          at.place};
             }
         const double own = at.angle.value_or(0); // judged by itself where it does not pass
-        const double least = limits_.angle + (own > limits_.angle ? own : 0);
-        const bool bends = worst.angle > least && worst.angle < limits_.feature_angle;
+        const double least = limits.angle + (own > limits.angle ? own : 0);
+        const bool bends = worst.angle > least && worst.angle < limits.feature_angle;
         return bends ? std::optional(worst) : std::nullopt;
     }
 
     const ModelBorders& borders_;
     std::span<const Seam> pieces_;
-    const CriteriaPreset& limits_;
+    const FaceLimits& limits_;
     Ways ways_;
 };
 
@@ -258,7 +261,7 @@ bool is_smooth(const MeasuredSeam& seam) {
 
 std::vector<NarrowBend> narrow_bends(const ModelBorders& borders,
                                      std::span<const MeasuredSeam> seams,
-                                     std::span<const Seam> pieces, const CriteriaPreset& limits,
+                                     std::span<const Seam> pieces, const FaceLimits& limits,
                                      const Job& job) {
     const SeamSides sides(borders, seams, pieces);
     SidedFaces faces;

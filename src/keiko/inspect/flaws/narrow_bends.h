@@ -15,6 +15,7 @@ namespace keiko {
 struct NarrowBend {
     PlacedFace face;                   ///< the face that holds the middle of the bend
     std::array<PlacedFace, 2> sides{}; ///< the faces in which it begins and ends
+    std::array<PlacedFace, 2> seam{};  ///< the faces of the seam, whose limits it is held to
     double width = 0;                  ///< mm across, between the places whose normals are compared
     double angle = 0;  ///< degrees by which the normal turns more than the curvatures explain
     double length = 0; ///< mm of the seam along which it turns too far
@@ -30,7 +31,7 @@ struct NarrowBend {
 /// more than the negligible length of a seam. `pieces`: MeasuredSeams::pieces.
 std::vector<NarrowBend> narrow_bends(const ModelBorders& borders,
                                      std::span<const MeasuredSeam> seams,
-                                     std::span<const Seam> pieces, const CriteriaPreset& limits,
+                                     std::span<const Seam> pieces, const FaceLimits& limits,
                                      const Job& job = {});
 
 } // namespace keiko

@@ -75,8 +75,8 @@ bool worse(const LineCrossing& a, const LineCrossing& b) {
 class LineJoiner {
 public:
     LineJoiner(const SurfaceModel& model, const LineSeams& seams, std::span<const CPlane> planes,
-               const Camera& camera, LineLook look, const CriteriaPreset& preset, const Job& job)
-        : model_(model), seams_(seams), preset_(preset), job_(job) {
+               const Camera& camera, LineLook look, const FaceLimits& limits, const Job& job)
+        : model_(model), seams_(seams), limits_(limits), job_(job) {
         const Vec3 body = material_bounds(model, job).center();
         for (const CPlane& plane : planes)
             lamps_.push_back(lamp_levels(look, LineEye(camera), plane, body));
@@ -88,6 +88,7 @@ public:
         pair();
         chain();
         measure();
+        leave_out();
         shape();
         std::stable_sort(result_.crossings.begin(), result_.crossings.end(), worse);
         return std::move(result_);
@@ -101,6 +102,9 @@ private:
     void chain();
     void follow(std::uint32_t first);
     void measure();
+    void leave_out();
+    std::array<PlacedFace, 2> sides_at(const LineBorder& border) const;
+    const CriteriaPreset& limits_at(const LineBorder& border) const;
     RunOutPlaces run_outs_of(std::uint32_t chain, const FaceSizes& sizes) const;
     void excuse_run_outs();
     void add_inflections(JoinedLine& line, const LineStatistics& shape,
@@ -112,7 +116,7 @@ private:
 
     const SurfaceModel& model_;
     const LineSeams& seams_;
-    const CriteriaPreset& preset_;
+    const FaceLimits& limits_;
     const Job& job_;
     std::vector<LampLevels> lamps_;
     JoinedLines result_;
@@ -136,7 +140,7 @@ void LineJoiner::pair() {
     for (const StudiedPiece& piece : studied_)
         for (const LineBorders::End& end : piece.ends)
             meetings_.insert(meetings_.end(), end.meetings.begin(), end.meetings.end());
-    pairs_ = pair_meetings(meetings_, preset_.feature_angle);
+    pairs_ = pair_meetings(meetings_, limits_.preset().feature_angle);
     next_.assign(studied_.size(), no_index);
     before_.assign(studied_.size(), no_index);
     for (const LinePair& pair : pairs_) {
@@ -182,7 +186,7 @@ void LineJoiner::follow(std::uint32_t first) {
         const auto why = [&](std::uint32_t index, bool head) {
             const SurfaceLine& ending = result_.pieces[index];
             return line_end(model_, ending, head, studied_[index].ends[head ? 0 : 1],
-                            lamps_of(ending).field, preset_.feature_angle);
+                            lamps_of(ending).field, limits_.preset().feature_angle);
         };
         line.begin = why(first, true);
         line.end = why(line.pieces.back(), false);
@@ -194,7 +198,7 @@ void LineJoiner::measure() {
     std::vector<LineCrossing> found(pairs_.size());
     parallel_for(pairs_.size(), job_, "crossings", [&](std::size_t i) {
         const LineEndpoint &tail = meetings_[pairs_[i].tail], &head = meetings_[pairs_[i].head];
-        found[i] = line_crossing(tail, head, lamps_[tail.plane], preset_.lines);
+        found[i] = line_crossing(tail, head, lamps_[tail.plane], limits_at(tail.border).lines);
     });
     breaks_after_.assign(studied_.size(), false);
     for (LineCrossing& crossing : found) {
@@ -207,14 +211,35 @@ void LineJoiner::measure() {
             if ((tail ? next_ : before_)[i] != no_index) continue;
             for (const LineEndpoint& m : studied_[i].ends[tail].meetings) {
                 const bool jumps = m.border.seam != no_index && std::isfinite(m.jump) &&
-                                   m.angle <= preset_.feature_angle;
+                                   m.angle <= limits_.preset().feature_angle;
                 if (!jumps) continue;
-                result_.crossings.push_back(line_break(m, lamps_[m.plane], preset_.lines));
+                result_.crossings.push_back(
+                    line_break(m, lamps_[m.plane], limits_at(m.border).lines));
                 break;
             }
         }
     for (LineCrossing& crossing : result_.crossings) name(crossing);
     excuse_run_outs();
+}
+
+/// Takes out crossings between faces that are not judged. Their lines stay as they are.
+void LineJoiner::leave_out() {
+    result_.out_of_scope = std::erase_if(result_.crossings, [&](const LineCrossing& crossing) {
+        const std::array<PlacedFace, 2> sides = sides_at(crossing.border);
+        return !limits_.in_scope(sides[0], sides[1]);
+    });
+}
+
+std::array<PlacedFace, 2> LineJoiner::sides_at(const LineBorder& border) const {
+    const PlacedFace inside{border.instance, border.face};
+    if (border.seam == no_index) return {inside, inside};
+    const Seam& seam = seams_.seams[seams_.chains[border.seam].front()];
+    return {PlacedFace{seam.a.instance, seam.a.face}, PlacedFace{seam.b.instance, seam.b.face}};
+}
+
+const CriteriaPreset& LineJoiner::limits_at(const LineBorder& border) const {
+    const std::array<PlacedFace, 2> sides = sides_at(border);
+    return limits_.between(sides[0], sides[1]);
 }
 
 RunOutPlaces LineJoiner::run_outs_of(std::uint32_t chain, const FaceSizes& sizes) const {
@@ -223,8 +248,8 @@ RunOutPlaces LineJoiner::run_outs_of(std::uint32_t chain, const FaceSizes& sizes
         pieces.emplace_back(seams_.curves, seams_.seams[piece]);
     const Seam& first = seams_.seams[seams_.chains[chain].front()];
     return {pieces, stretch_limits(sizes.of(first.a.instance, first.a.face),
-                                   sizes.of(first.b.instance, first.b.face), preset_,
-                                   seams_.join_distance)};
+                                   sizes.of(first.b.instance, first.b.face),
+                                   limits_at({.seam = chain}), seams_.join_distance)};
 }
 
 /// Excuses jumps of lines where a crease fades out: the seam's own verdict states whether it fades
@@ -233,7 +258,7 @@ void LineJoiner::excuse_run_outs() {
     std::map<std::uint32_t, std::vector<LineCrossing*>> by_chain;
     for (LineCrossing& crossing : result_.crossings)
         if (crossing.border.seam != no_index && crossing.verdict &&
-            *crossing.verdict != Verdict::pass && crossing.angle > preset_.angle)
+            *crossing.verdict != Verdict::pass && crossing.angle > limits_at(crossing.border).angle)
             by_chain[crossing.border.seam].push_back(&crossing);
     if (by_chain.empty()) return;
     const FaceSizes sizes(seams_.curves);
@@ -308,9 +333,9 @@ LineSeams::LineSeams(const SurfaceModel& model, double join, const Job& job)
 
 JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
                        std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,
-                       const Camera& camera, LineLook look, const CriteriaPreset& preset,
+                       const Camera& camera, LineLook look, const FaceLimits& limits,
                        const Job& job) {
-    return LineJoiner(model, seams, planes, camera, look, preset, job).run(std::move(pieces));
+    return LineJoiner(model, seams, planes, camera, look, limits, job).run(std::move(pieces));
 }
 
 } // namespace keiko

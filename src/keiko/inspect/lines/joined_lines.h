@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/geometry/seam/seam.h"
+#include "keiko/inspect/basics/face_limits.h"
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/lines/line_endpoint.h"
 #include "keiko/inspect/lines/line_geometry.h"
@@ -94,6 +95,7 @@ struct JoinedLines {
     std::vector<SurfaceLine> pieces;     ///< oriented so that the field rises to their left
     std::vector<JoinedLine> lines;       ///< by plane, lamp and first piece
     std::vector<LineCrossing> crossings; ///< worst first; those without a verdict last
+    std::size_t out_of_scope = 0; ///< crossings between faces that are not judged: not listed
 };
 
 /// The seams of a model, prepared for lines.
@@ -108,11 +110,11 @@ struct LineSeams {
 };
 
 /// Joins the pieces that surface_lines found for the same planes, camera and kind of lines across
-/// the borders of patches and seams, measures each crossing and judges it by the preset. The same
-/// for any thread count. Throws Cancelled.
+/// the borders of patches and seams, measures each crossing and judges it by the limits there. The
+/// same for any thread count. Throws Cancelled.
 JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
                        std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,
-                       const Camera& camera, LineLook look, const CriteriaPreset& preset,
+                       const Camera& camera, LineLook look, const FaceLimits& limits,
                        const Job& job = {});
 
 } // namespace keiko

@@ -36,7 +36,7 @@ Seam cut_seam(Seam seam, const SeamPart& part) {
 
 /// The seams between faces, with judged scraps.
 MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Seam> paired,
-                                 const CriteriaPreset& preset, double join, const Job& job) {
+                                 const FaceLimits& limits, double join, const Job& job) {
     const SurfaceModel& model = borders.model;
     const BoundaryCurves& curves = borders.curves;
     const std::vector<Seam> seams = widened_seams(curves, paired, join);
@@ -44,10 +44,12 @@ MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Se
     std::vector<std::vector<MeasuredStretch>> lines(chains.size());
     parallel_for(chains.size(), job, "measure", [&](std::size_t i) {
         const SeamLine line = line_of(curves, seams, chains[i]);
-        const StretchLimits limits =
+        const CriteriaPreset& preset =
+            limits.between({line.instance_a, line.face_a}, {line.instance_b, line.face_b});
+        const StretchLimits of_stretches =
             stretch_limits(borders.sizes.of(line.instance_a, line.face_a),
                            borders.sizes.of(line.instance_b, line.face_b), preset, join);
-        lines[i] = measure_line(model, line, preset, limits);
+        lines[i] = measure_line(model, line, preset, of_stretches);
     });
     MeasuredSeams result;
     for (std::uint32_t i = 0; i < lines.size(); ++i)
@@ -116,7 +118,7 @@ public:
     FaceKnots(const SurfaceModel& model, std::uint32_t face)
         : model_(model), index_(face), face_(model, face), knots_(broken_knots(face_)) {}
 
-    std::vector<std::vector<MeasuredSeam>> measured(const CriteriaPreset& preset,
+    std::vector<std::vector<MeasuredSeam>> measured(const FaceLimits& by_face,
                                                     const FaceSizes& sizes) {
         std::vector<std::vector<MeasuredSeam>> seams;
         const std::vector<KnotLine> breaks = knot_chains(model_, face_.face(), knots_.pieces);
@@ -124,6 +126,7 @@ public:
             const Part& part = model_.parts[model_.instances[i].part];
             if (index_ - part.first_face >= part.face_count) continue;
             const double size = sizes.of(i, index_);
+            const CriteriaPreset& preset = by_face.of({i, index_});
             const StretchLimits limits = stretch_limits(size, size, preset, 0);
             const double scale = scale_of(model_.instances[i]);
             for (const KnotLine& line : breaks) seams.push_back(measure(i, line, preset, limits));
@@ -204,17 +207,17 @@ std::vector<MeasuredSeam> FaceKnots::measure(std::uint32_t instance, const KnotL
 } // namespace
 
 MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> seams,
-                            const CriteriaPreset& preset, double join, const Job& job) {
-    MeasuredSeams measured = with_judged_scraps(borders, seams, preset, join, job);
+                            const FaceLimits& limits, double join, const Job& job) {
+    MeasuredSeams measured = with_judged_scraps(borders, seams, limits, join, job);
     excuse_scraps(borders.curves, join, measured);
     return measured;
 }
 
 MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Seam> seams,
-                                const CriteriaPreset& preset, double join, const Job& job) {
-    MeasuredSeams all = with_judged_scraps(borders, seams, preset, join, job);
+                                const FaceLimits& limits, double join, const Job& job) {
+    MeasuredSeams all = with_judged_scraps(borders, seams, limits, join, job);
     const auto lines = static_cast<std::uint32_t>(line_count(all.seams));
-    for (MeasuredSeam& seam : measure_knot_lines(borders, preset, job)) {
+    for (MeasuredSeam& seam : measure_knot_lines(borders, limits, job)) {
         seam.line += lines;
         all.seams.push_back(std::move(seam));
     }
@@ -226,14 +229,14 @@ std::size_t line_count(std::span<const MeasuredSeam> seams) {
     return seams.empty() ? 0 : seams.back().line + 1;
 }
 
-std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,
-                                             const CriteriaPreset& preset, const Job& job) {
+std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders, const FaceLimits& limits,
+                                             const Job& job) {
     const SurfaceModel& model = borders.model;
     std::vector<std::vector<std::vector<MeasuredSeam>>> by_face(model.faces.size());
     parallel_for(model.faces.size(), job, "knots", [&](std::size_t f) {
         const auto index = static_cast<std::uint32_t>(f);
         if (has_irregular_patch(model, index)) return;
-        by_face[f] = FaceKnots(model, index).measured(preset, borders.sizes);
+        by_face[f] = FaceKnots(model, index).measured(limits, borders.sizes);
     });
     std::vector<MeasuredSeam> all;
     std::uint32_t number = 0;

@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
+#include "keiko/inspect/basics/face_limits.h"
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/seams/knot_piece.h"
 #include "keiko/inspect/seams/model_borders.h"
@@ -64,6 +65,11 @@ struct MeasuredSeam {
     /// Degrees/mm: of a crease that fades out, the largest step of its angle's slope there.
     std::optional<MeasuredValue> fading;
 
+    /// The face of side a.
+    PlacedFace side_a() const { return {instance_a, face_a}; }
+    /// The face of side b.
+    PlacedFace side_b() const { return {instance_b, face_b}; }
+
     /// True if its worst place lies in the last ring around an irregular point of a subdivision
     /// surface, which has no curvature there.
     bool irregular = false;
@@ -104,12 +110,12 @@ struct MeasuredSeams {
 /// stretches of one class and measures these on the exact geometry; in the order of their first
 /// seams.
 MeasuredSeams measure_seams(const ModelBorders& borders, std::span<const Seam> seams,
-                            const CriteriaPreset& preset, double join, const Job& job = {});
+                            const FaceLimits& limits, double join, const Job& job = {});
 
 /// Measures the seams, followed by the stretches of knot lines inside faces (measure_knot_lines).
 /// Scraps are excused by what they add up to (judged_scraps), on seams and knot lines together.
 MeasuredSeams measure_all_seams(const ModelBorders& borders, std::span<const Seam> seams,
-                                const CriteriaPreset& preset, double join, const Job& job = {});
+                                const FaceLimits& limits, double join, const Job& job = {});
 
 /// Number of lines to which stretches belong: the number of seams in reports.
 std::size_t line_count(std::span<const MeasuredSeam> seams);
@@ -122,7 +128,7 @@ std::size_t line_count(std::span<const MeasuredSeam> seams);
 /// cause less. In a face whose approximation may hide as much, all sides between patches count.
 /// Scraps are judged too, until measure_all_seams takes them out of it. Faces at irregular points
 /// of cages are left out: they have knots of their own and none of the file's.
-std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders,
-                                             const CriteriaPreset& preset, const Job& job = {});
+std::vector<MeasuredSeam> measure_knot_lines(const ModelBorders& borders, const FaceLimits& limits,
+                                             const Job& job = {});
 
 } // namespace keiko

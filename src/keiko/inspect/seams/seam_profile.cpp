@@ -189,12 +189,15 @@ std::vector<SeamProfile> seam_profiles(const ModelBorders& borders,
                                        std::span<const MeasuredSeam> seams,
                                        std::span<const Seam> pieces,
                                        std::span<const std::uint32_t> indices,
-                                       const CriteriaPreset& preset, const Job& job) {
+                                       const FaceLimits& limits, const Job& job) {
     std::vector<SeamProfile> profiles(indices.size());
     parallel_for(indices.size(), job, "profiles", [&](std::size_t i) {
         const std::uint32_t index = indices[i];
+        const MeasuredSeam& seam = seams[index];
         const StretchProbes probes(borders, seams, index, pieces);
-        profiles[i] = Profiler(borders.model, seams[index], probes.probes(), preset).run();
+        profiles[i] = Profiler(borders.model, seam, probes.probes(),
+                               limits.between(seam.side_a(), seam.side_b()))
+                          .run();
         profiles[i].seam = index;
     });
     return profiles;

@@ -59,6 +59,6 @@ std::vector<SeamProfile> seam_profiles(const ModelBorders& borders,
                                        std::span<const MeasuredSeam> seams,
                                        std::span<const Seam> pieces,
                                        std::span<const std::uint32_t> indices,
-                                       const CriteriaPreset& preset, const Job& job = {});
+                                       const FaceLimits& limits, const Job& job = {});
 
 } // namespace keiko

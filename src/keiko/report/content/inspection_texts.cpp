@@ -32,6 +32,8 @@ std::string unmet_borders(const ModelFacts& facts) {
 std::string nothing_judged(const Inspection& inspection) {
     const std::size_t faces = inspection.facts.placed_faces;
     if (faces < 2 || !inspection.seams.empty()) return "";
+    if (inspection.scope && inspection.scope->all_seams > 0)
+        return "no seam was judged: none is on a face in the scope";
     return "no seam was judged: of " + std::to_string(faces) +
            " faces no two have borders that run along each other within the join distance, " +
            short_number(inspection.join) + " mm";

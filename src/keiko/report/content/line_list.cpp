@@ -79,7 +79,8 @@ JudgedLines judged_lines(const LineList& list) {
 
 CrossingCounts count_crossings(const LineList& list) {
     CrossingCounts counts;
-    for (const ViewLines& view : list.views)
+    for (const ViewLines& view : list.views) {
+        counts.out_of_scope += view.found.out_of_scope;
         for (const LineCrossing& crossing : view.found.crossings) {
             if (!crossing.verdict)
                 ++counts.not_judged;
@@ -88,6 +89,7 @@ CrossingCounts count_crossings(const LineList& list) {
             else
                 ++(*crossing.verdict == Verdict::pass ? counts.pass : counts.undecided);
         }
+    }
     return counts;
 }
 

@@ -25,12 +25,15 @@ struct LineList {
     double join = 0.5;                    ///< mm
     std::vector<ViewLines> views;         ///< one a view
     AcceptanceList acceptances{}; ///< of findings; only those of lines in one of the views apply
+    /// The faces that are judged, and the zones; nullopt if the preset has no zones and all are.
+    std::optional<JudgedScope> scope{};
 };
 
 /// Crossings of all views by verdict.
 struct CrossingCounts {
     std::size_t fail = 0, undecided = 0, pass = 0; ///< number of each
-    std::size_t not_judged = 0; ///< lines that end at a seam without a jump that explains it
+    std::size_t not_judged = 0;   ///< lines that end at a seam without a jump that explains it
+    std::size_t out_of_scope = 0; ///< crossings between faces that are not judged
 };
 /// Counts the crossings of all views.
 CrossingCounts count_crossings(const LineList& list);

@@ -1,4 +1,5 @@
 #include "keiko/report/content/comparison.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"
@@ -95,6 +96,17 @@ std::string list(const std::string& word, const std::vector<std::string>& faces)
     return html;
 }
 
+/// The parts of both bodies that were compared, and their zones.
+std::string scope(const Comparison& c) {
+    std::string items;
+    for (const auto* inspection : {&c.inspection_before, &c.inspection_after})
+        for (const std::string& sentence : scope_sentences(inspection->scope, inspection->preset))
+            items += std::string("<li>") +
+                     (inspection == &c.inspection_before ? "before: " : "after: ") +
+                     html_escaped(sentence) + "</li>";
+    return items.empty() ? "" : "<ul>" + items + "</ul>";
+}
+
 std::string faces(const Comparison& c) {
     const std::string items = list("gone", faces_gone(c)) + list("new", faces_new(c)) +
                               list("turned inside out", faces_turned(c));
@@ -113,6 +125,7 @@ std::string footer(const Comparison& c) {
 
 std::string comparison_html(const Comparison& c) {
     std::string html = head(c);
+    html += section("Scope and zones", scope(c));
     html += section("Checks", html_checks(c));
     html += section("Alignment", alignment(c));
     html += section("Deviation", maps(c) + html_percentiles(c));

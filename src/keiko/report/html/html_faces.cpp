@@ -1,3 +1,4 @@
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
@@ -76,14 +77,15 @@ std::string row(const Report& report, std::size_t index) {
                                  "<span class=\"chip\">" + verdict + "</span>");
     html += (face.radius ? radius_cell(*face.radius) : no_cell()) + curvature_cells(face) +
             inflections_cell(face);
-    if (!preset.flaw_limits().empty()) html += flaw_cell(face);
+    if (searches_flaws(preset)) html += flaw_cell(face);
     html += face.radius ? html_place_cell(face.radius->place) : no_cell();
     return html + "</tr>\n";
 }
 
-std::string radius_heading(const SurfaceLimits& limits) {
+std::string radius_heading(const CriteriaPreset& preset) {
+    const auto& limit = preset.surface.minimum_radius;
     const std::string name = "smallest radius mm";
-    return limits.minimum_radius ? name + " ≥ " + short_number(*limits.minimum_radius) : name;
+    return limit ? with_limit(name, " ≥ " + short_number(*limit), preset) : name;
 }
 
 /// "dents, waves mm ≤ 0.01 in 100, 0.025 in 250"
@@ -101,19 +103,22 @@ std::string waviness_heading(const std::vector<WavinessLimit>& limits) {
 std::string html_faces(const Report& report) {
     const std::vector<MeasuredFace>& faces = report.inspection.faces;
     if (faces.empty()) return "";
+    const CriteriaPreset& preset = report.inspection.preset;
     std::vector<std::string> headings{"face",
                                       "verdict",
-                                      radius_heading(report.inspection.preset.surface),
+                                      radius_heading(preset),
                                       "curvature 1/mm, largest",
                                       "smallest",
                                       "Gaussian 1/mm², largest",
                                       "smallest",
                                       "inflections mm"};
-    if (const auto& limits = report.inspection.preset.flaw_limits(); !limits.empty())
-        headings.push_back(waviness_heading(limits));
+    if (searches_flaws(preset))
+        headings.push_back(preset.zones.empty() ? waviness_heading(preset.flaw_limits())
+                                                : "dents, waves mm");
     headings.push_back("tightest place x, y, z");
     std::string html = "<section><h2>All faces</h2>" + html_table_head(headings, "face");
-    for (std::size_t i = 0; i < faces.size(); ++i) html += row(report, i);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        if (faces[i].in_scope) html += row(report, i);
     return html + std::string(html_table_end) + "</section>\n";
 }
 

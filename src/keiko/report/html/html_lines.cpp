@@ -1,4 +1,5 @@
 #include "keiko/base/text.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
@@ -20,7 +21,10 @@ std::string summary(const LineList& list) {
            ", followed over the seams: " + counted(counts.fail, "crossing") +
            (counts.fail == 1 ? " fails, " : " fail, ") + std::to_string(counts.undecided) +
            " undecided, " + std::to_string(counts.pass) + " pass, " +
-           std::to_string(counts.not_judged) + " not judged.</p>";
+           std::to_string(counts.not_judged) + " not judged" +
+           (counts.out_of_scope > 0 ? ", " + std::to_string(counts.out_of_scope) + " out of scope"
+                                    : "") +
+           ".</p>";
 }
 
 std::string value_cell(const LineValue& value, int decimals) {
@@ -50,10 +54,11 @@ std::string row(const Report& report, std::size_t rank, const CrossingPlace& pla
     return html + html_place_cell(c.place) + "</tr>\n";
 }
 
-/// The columns with their limits.
-std::vector<std::string> headings(const LineLimits& limits) {
-    const auto with = [](const std::string& name, const std::optional<double>& limit) {
-        return limit ? name + " ≤ " + short_number(*limit) : name;
+/// The columns, with their limits if these are the same for all.
+std::vector<std::string> headings(const CriteriaPreset& preset) {
+    const LineLimits& limits = preset.lines;
+    const auto with = [&](const std::string& name, const std::optional<double>& limit) {
+        return limit ? with_limit(name, " ≤ " + short_number(*limit), preset) : name;
     };
     return {"#",
             "faces",
@@ -76,7 +81,7 @@ std::string table(const Report& report) {
         [&](const CrossingPlace& place) { return *place.in(list).verdict == Verdict::pass; });
     const std::size_t bad = static_cast<std::size_t>(passing - ranked.begin());
     const std::size_t shown = std::min(ranked.size(), std::max(bad, most_crossings));
-    std::string html = html_table_head(headings(list.preset.lines), "faces");
+    std::string html = html_table_head(headings(list.preset), "faces");
     for (std::size_t i = 0; i < shown; ++i) html += row(report, i + 1, ranked[i]);
     html += html_table_end;
     if (shown < ranked.size())

@@ -2,6 +2,7 @@
 #include "keiko/inspect/seams/curvature_match.h"
 #include "keiko/inspect/seams/seam_quantities.h"
 #include "keiko/report/content/profiles_text.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
@@ -113,7 +114,9 @@ std::string profile_of(const Report& report, std::uint32_t index) {
         std::find_if(report.profiles.begin(), report.profiles.end(),
                      [index](const SeamProfile& profile) { return profile.seam == index; });
     if (found == report.profiles.end()) return "";
-    return profile_svg(*found, SeamQuantities(report.inspection.preset).curvature_limit().formula);
+    const Inspection& inspection = report.inspection;
+    const CriteriaPreset& limits = limits_of(inspection, inspection.seams[index]);
+    return profile_svg(*found, SeamQuantities(limits).curvature_limit().formula);
 }
 
 bool over(const MeasuredValue& worst) {
@@ -172,21 +175,22 @@ std::string row(const Report& report, std::size_t index, bool with_slope) {
            "</tr>\n";
 }
 
-/// The columns with their limits.
+/// The columns, with their limits if these are the same for all.
 std::vector<std::string> headings(const CriteriaPreset& preset) {
-    const std::string at_most = " ≤ ";
+    const auto with = [&](const std::string& name, double limit, const char* unit = "") {
+        return with_limit(name, " ≤ " + short_number(limit) + unit, preset);
+    };
     std::vector<std::string> names{"#",
                                    "faces",
                                    "kind",
                                    "verdict",
-                                   "gap mm" + at_most + short_number(preset.gap),
-                                   "angle °" + at_most + short_number(preset.angle),
+                                   with("gap mm", preset.gap),
+                                   with("angle °", preset.angle),
                                    "curvature"};
-    if (preset.curvature)
-        names.back() += at_most + short_number(preset.curvature->limit * 100) + " %";
-    if (preset.curvature_slope)
-        names.push_back("its slope °" + at_most + short_number(*preset.curvature_slope));
-    names.push_back("fading °/mm" + at_most + short_number(preset.fading));
+    if (preset.curvature) names.back() = with("curvature", preset.curvature->limit * 100, " %");
+    if (judges_slopes(preset))
+        names.push_back(with("its slope °", preset.curvature_slope.value_or(0)));
+    names.push_back(with("fading °/mm", preset.fading));
     names.insert(names.end(), {"length mm", "worst place x, y, z"});
     return names;
 }
@@ -202,7 +206,7 @@ std::string html_seam_card(const Report& report, std::size_t rank, std::uint32_t
            place_text(worst_place(seam)) + irregular_note(seam) + " · " +
            fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
            "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
-           curvature_measure(seam) + slope_measure(seam, report.inspection.preset) +
+           curvature_measure(seam) + slope_measure(seam, limits_of(report.inspection, seam)) +
            fading_measure(seam) + "</div>" + profile_of(report, index) + "</div>" +
            html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
 }
@@ -230,8 +234,7 @@ std::string html_all_seams(const Report& report) {
     const CriteriaPreset& preset = report.inspection.preset;
     std::string html =
         "<section><h2>All stretches of seams</h2>" + html_table_head(headings(preset), "faces");
-    for (std::size_t i = 0; i < seams.size(); ++i)
-        html += row(report, i, preset.curvature_slope.has_value());
+    for (std::size_t i = 0; i < seams.size(); ++i) html += row(report, i, judges_slopes(preset));
     return html + std::string(html_table_end) + "</section>\n";
 }
 

@@ -12,6 +12,9 @@ namespace keiko {
 
 /// The inspected model, the verdict and the counts.
 std::string html_verdict(const Report& report);
+/// The part of the body that was judged, and the zones; empty if all is judged by the preset
+/// itself.
+std::string html_scope(const Report& report);
 /// The stripe pictures with the places of the worst seams.
 std::string html_pictures(const Report& report);
 /// One of its pictures with its markers.

@@ -1,6 +1,7 @@
 #include "keiko/base/text.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/report.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_page.h"
 #include "keiko/report/markup/html_text.h"
@@ -44,9 +45,11 @@ std::string criteria_line(const Inspection& inspection) {
 /// "2 faces, 0 seams · 798.8 of 798.8 mm of borders meet no other · class-a-outer: ..."
 std::string body_line(const Inspection& inspection) {
     const std::string unmet = unmet_borders(inspection.facts);
+    const std::string part = scope_words(inspection.scope);
     return counted(inspection.facts.placed_faces, "face") + ", " +
            counted(inspection.facts.seams, "seam") +
-           (unmet.empty() ? "" : " · " + html_escaped(unmet)) + " · " + criteria_line(inspection);
+           (unmet.empty() ? "" : " · " + html_escaped(unmet)) + " · " +
+           (part.empty() ? "" : "<b>" + html_escaped(part) + "</b> · ") + criteria_line(inspection);
 }
 
 std::string footer(const Report& report) {
@@ -98,7 +101,7 @@ std::string html_verdict(const Report& report) {
     if (report.coverage)
         html += count("open", percent(1 - report.coverage->covered), report.coverage->covered >= 1,
                       "not covered");
-    if (inspection.preset.surface != SurfaceLimits{})
+    if (judges_faces(inspection.preset))
         html += count("fail", inspection.face_counts.fail, "faces fail") +
                 count("undecided", inspection.face_counts.undecided, "faces undecided");
     if (inspection.face_counts.accepted > 0)
@@ -132,9 +135,9 @@ std::string html_coverage(const Report& report) {
 std::string report_html(const Report& report) {
     std::string html;
     for (const auto section :
-         {html_verdict, html_pictures, html_first_screen, html_hidden, html_findings, html_accepted,
-          html_looks, html_coverage, html_lines, html_form, html_combs, html_more_profiles,
-          html_all_seams, html_faces, html_facts, html_gallery})
+         {html_verdict, html_scope, html_pictures, html_first_screen, html_hidden, html_findings,
+          html_accepted, html_looks, html_coverage, html_lines, html_form, html_combs,
+          html_more_profiles, html_all_seams, html_faces, html_facts, html_gallery})
         html += section(report);
     html += footer(report) + "\n";
     return html_page(html_escaped(report.inspection.facts.source), "", html, report_script);

@@ -194,6 +194,11 @@ std::string comparison_json(const Comparison& c) {
                    {"same", findings_json(c.seams.same_findings)}}},
                  {"rig", c.rig},
                  {"views", Json::array()}};
+    const auto& before = c.inspection_before.scope;
+    const auto& after = c.inspection_after.scope;
+    if (before && after)
+        json["scope"] = {{"before", scope_json(*before, c.inspection_before.preset)},
+                         {"after", scope_json(*after, c.inspection_after.preset)}};
     for (const ComparedView& view : c.views) json["views"].push_back(view_json(view, c.tolerance));
     return text_of(json);
 }

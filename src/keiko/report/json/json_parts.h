@@ -34,6 +34,14 @@ Json accepted_json(const Inspection& inspection);
 /// A sentence for each acceptance that covers nothing.
 Json acceptance_remarks_json(const Inspection& inspection);
 
+/// The limits of seams and faces of a preset, or of a zone.
+Json limits_json(const CriteriaPreset& limits);
+/// name, source, caveat, and the limits of a preset without those of its zones.
+Json preset_json(const CriteriaPreset& preset);
+/// selection, faces, all_faces, seams, all_seams, out_of_scope, in_no_zone, zones [{name,
+/// selection, faces, looser, excused_seams, excused_faces, limits}].
+Json scope_json(const JudgedScope& scope, const CriteriaPreset& preset);
+
 /// Lines in a report: rig, look, preset, verdict, counts and crossings, with the keys of lines_json
 /// but without the curves.
 Json line_verdicts_json(const LineList& list);

@@ -82,7 +82,7 @@ Json crossing_json(const LineCrossing& crossing, const std::string& view, std::s
     return json;
 }
 
-Json preset_json(const CriteriaPreset& preset) {
+Json line_limits_json(const CriteriaPreset& preset) {
     return {{"name", preset.name},
             {"jump", optional(preset.lines.jump)},
             {"turn", optional(preset.lines.turn)},
@@ -91,11 +91,14 @@ Json preset_json(const CriteriaPreset& preset) {
             {"feature_angle", preset.feature_angle}};
 }
 
-Json counts_json(const CrossingCounts& counts) {
-    return {{"fail", counts.fail},
-            {"undecided", counts.undecided},
-            {"pass", counts.pass},
-            {"not_judged", counts.not_judged}};
+Json counts_json(const LineList& list) {
+    const CrossingCounts counts = count_crossings(list);
+    Json json = {{"fail", counts.fail},
+                 {"undecided", counts.undecided},
+                 {"pass", counts.pass},
+                 {"not_judged", counts.not_judged}};
+    if (list.scope) json["out_of_scope"] = counts.out_of_scope;
+    return json;
 }
 
 Json crossings_json(const LineList& list) {
@@ -114,9 +117,9 @@ Json crossings_json(const LineList& list) {
 Json line_verdicts_json(const LineList& list) {
     return {{"rig", list.rig},
             {"look", name_of(list.look)},
-            {"preset", preset_json(list.preset)},
+            {"preset", line_limits_json(list.preset)},
             {"verdict", name_of(verdict_of(list))},
-            {"counts", counts_json(count_crossings(list))},
+            {"counts", counts_json(list)},
             {"crossings", crossings_json(list)}};
 }
 
@@ -126,13 +129,14 @@ std::string lines_json(const LineList& list, const SurfaceModel& model) {
                  {"model", model.source},
                  {"rig", list.rig},
                  {"look", name_of(list.look)},
-                 {"preset", preset_json(list.preset)},
+                 {"preset", line_limits_json(list.preset)},
                  {"join", list.join},
                  {"verdict", name_of(verdict_of(list))},
-                 {"counts", counts_json(count_crossings(list))},
+                 {"counts", counts_json(list)},
                  {"views", Json::array()},
                  {"crossings", crossings_json(list)},
                  {"lines", Json::array()}};
+    if (list.scope) json["scope"] = scope_json(*list.scope, list.preset);
     for (const ViewLines& view : list.views) {
         Json camera = {{"name", view.view}};
         camera.update(viewpoint_json(view.camera));

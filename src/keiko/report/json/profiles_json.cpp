@@ -62,7 +62,7 @@ Json profile_json(const SeamProfile& profile, const Inspection& inspection) {
                  {"length", profile.length},
                  {"gap", quantity_json(profile.gap, "mm")},
                  {"angle", quantity_json(profile.angle, "deg")},
-                 {"curvature", curvature_json(profile, inspection.preset)},
+                 {"curvature", curvature_json(profile, limits_of(inspection, seam))},
                  {"curvature_slope", quantity_json(profile.slope, "deg")},
                  {"samples", Json::array()}};
     for (const ProfileSample& sample : profile.samples)

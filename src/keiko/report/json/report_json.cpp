@@ -33,7 +33,14 @@ Json without_verdict(Json json) {
     return json;
 }
 
-Json seam_json(const MeasuredSeam& seam, std::size_t number, const CriteriaPreset& preset) {
+/// Name of the zone of a face, or null.
+Json zone_json(const Inspection& inspection, const PlacedFace& face) {
+    const std::uint32_t zone = inspection.limits.zone_of(face);
+    return zone == no_zone ? Json() : Json(inspection.preset.zones.at(zone).name);
+}
+
+Json seam_json(const MeasuredSeam& seam, std::size_t number, const Inspection& inspection) {
+    const CriteriaPreset& preset = limits_of(inspection, seam);
     Json json = {{"number", number},
                  {"line", seam.line + 1},
                  {"faces", seam.faces},
@@ -64,6 +71,9 @@ Json seam_json(const MeasuredSeam& seam, std::size_t number, const CriteriaPrese
     json["curvature_slope"] = judged(seam.slope ? slope(*seam.slope) : Json(),
                                      preset.curvature_slope.has_value() && !seam.scrap);
     json["fading"] = judged(seam.fading ? measured_json(*seam.fading) : Json(), !seam.scrap);
+    if (!inspection.preset.zones.empty())
+        json["zones"] = {zone_json(inspection, seam.side_a()),
+                         zone_json(inspection, seam.side_b())};
     return json;
 }
 
@@ -113,7 +123,8 @@ Json inflection_json(const InflectionCurve& curve) {
             {"deviation", curve.deviation}, {"points", std::move(points)}};
 }
 
-Json face_json(const MeasuredFace& face, std::size_t number, const CriteriaPreset& preset) {
+Json face_json(const MeasuredFace& face, std::size_t number, const Inspection& inspection) {
+    const CriteriaPreset& preset = limits_of(inspection, face);
     const SurfaceLimits& limits = preset.surface;
     Json json = {{"number", number},
                  {"name", face.name},
@@ -132,54 +143,10 @@ Json face_json(const MeasuredFace& face, std::size_t number, const CriteriaPrese
         json["flaws"] = Json::array();
         for (const Flaw& flaw : face.flaws) json["flaws"].push_back(flaw_json(flaw));
     }
-    return json;
-}
-
-Json waviness_json(const WavinessLimit& limit) {
-    return {{"depth", limit.depth}, {"window", limit.window}, {"waves_only", limit.waves_only}};
-}
-
-/// The limits that the preset has.
-Json structure_json(const StructureLimits& limits) {
-    Json json = Json::object();
-    if (limits.degree) json["degree"] = *limits.degree;
-    if (limits.spans) json["spans"] = *limits.spans;
-    if (limits.knot_distance) json["knot_distance"] = *limits.knot_distance;
-    if (limits.patch_edge) json["patch_edge"] = *limits.patch_edge;
-    if (limits.degenerate_edge) json["degenerate_edge"] = *limits.degenerate_edge;
-    if (limits.corner_angle) json["corner_angle"] = *limits.corner_angle;
-    if (limits.short_edge) json["short_edge"] = *limits.short_edge;
-    if (limits.small_face) json["small_face"] = *limits.small_face;
-    return json;
-}
-
-Json preset_json(const CriteriaPreset& preset) {
-    Json json = {{"name", preset.name},
-                 {"source", preset.source},
-                 {"caveat", preset.caveat},
-                 {"gap", preset.gap},
-                 {"angle", preset.angle},
-                 {"curvature", Json()},
-                 {"feature_angle", preset.feature_angle},
-                 {"fading", preset.fading},
-                 {"longest_run_out", preset.longest_run_out},
-                 {"negligible", preset.negligible},
-                 {"flat_radius", preset.flat_radius}};
-    if (preset.curvature)
-        json["curvature"] = {{"formula", name_of(preset.curvature->formula)},
-                             {"formula_text", formula_text(preset.curvature->formula)},
-                             {"limit", preset.curvature->limit}};
-    if (preset.curvature_slope) json["curvature_slope"] = *preset.curvature_slope;
-    json["minimum_radius"] =
-        preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
-    for (const WavinessLimit& limit : preset.surface.waviness)
-        json["waviness"].push_back(waviness_json(limit));
-    for (const WavinessLimit& limit : preset.look.waviness)
-        json["look"]["waviness"].push_back(waviness_json(limit));
-    if (preset.look.symmetry) json["look"]["symmetry"] = *preset.look.symmetry;
-    if (const auto& symmetry = preset.surface.symmetry)
-        json["symmetry"] = {{"plane", symmetry->plane.text()}, {"distance", symmetry->distance}};
-    if (preset.structure != StructureLimits{}) json["structure"] = structure_json(preset.structure);
+    if (!inspection.preset.zones.empty())
+        json["zone"] = zone_json(inspection, {face.instance, face.face});
+    if (inspection.scope) json["in_scope"] = face.in_scope;
+    if (!face.in_scope) json["verdict"] = Json();
     return json;
 }
 
@@ -216,11 +183,12 @@ Json inspection_json_value(const Inspection& inspection) {
                  {"accepted", accepted_json(inspection)},
                  {"acceptance_remarks", acceptance_remarks_json(inspection)}};
     for (std::size_t i = 0; i < inspection.seams.size(); ++i)
-        json["seams"].push_back(seam_json(inspection.seams[i], i + 1, inspection.preset));
+        json["seams"].push_back(seam_json(inspection.seams[i], i + 1, inspection));
     for (std::size_t i = 0; i < inspection.faces.size(); ++i)
-        json["faces"].push_back(face_json(inspection.faces[i], i + 1, inspection.preset));
+        json["faces"].push_back(face_json(inspection.faces[i], i + 1, inspection));
     for (const Check& check : inspection.checks)
         if (check.code == "KEIKO-SYMMETRY") json["symmetry"] = finding_json(check);
+    if (inspection.scope) json["scope"] = scope_json(*inspection.scope, inspection.preset);
     return json;
 }
 

@@ -2,6 +2,7 @@
 #include "keiko/report/content/comparison.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/regression.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/markup/junit_suites.h"
 
 #include <map>
@@ -85,6 +86,8 @@ std::string junit_xml(const Inspection& inspection) {
                      {{"preset", inspection.preset.name},
                       {"source", inspection.preset.source},
                       {"verdict", std::string(name_of(inspection.verdict))}}};
+    for (const std::string& sentence : scope_sentences(inspection.scope, inspection.preset))
+        suite.properties.emplace_back("scope", sentence);
     for (const AcceptanceRemark& remark : inspection.acceptance_remarks)
         suite.properties.emplace_back("acceptance", text_of(remark));
     for (const LostFace& face : inspection.facts.lost_faces)
@@ -101,6 +104,9 @@ std::string junit_xml(const Inspection& inspection) {
 
 std::string comparison_junit(const Comparison& c) {
     JunitSuite suite{c.after, {}, {{"before", c.before}, {"after", c.after}}};
+    for (const std::string& sentence :
+         scope_sentences(c.inspection_after.scope, c.inspection_after.preset))
+        suite.properties.emplace_back("scope", sentence);
     for (const ComparisonCheck& check : comparison_checks(c))
         suite.cases.push_back(case_of(c.after, check));
     for (const Check& finding : c.seams.new_findings)

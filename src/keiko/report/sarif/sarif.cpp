@@ -2,6 +2,7 @@
 #include "keiko/inspect/inspection.h"
 #include "keiko/report/content/acceptance_texts.h"
 #include "keiko/report/content/inspection_texts.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/markup/json_text.h"
 
 #include <algorithm>
@@ -279,12 +280,15 @@ std::string sarif_json(const Inspection& inspection, const std::string& tool_ver
     Json results = Json::array();
     for (const Check* finding : top_findings(inspection))
         results.push_back(writer.result(*finding));
+    Json properties = {{"preset", inspection.preset.name}};
+    const auto sentences = scope_sentences(inspection.scope, inspection.preset);
+    if (!sentences.empty()) properties["scope"] = sentences;
     const Json run = {{"tool", {{"driver", driver}}},
                       {"invocations", Json::array({invocation(inspection)})},
                       {"originalUriBaseIds", uri_bases(files)},
                       {"artifacts", artifacts_of(files)},
                       {"results", results},
-                      {"properties", {{"preset", inspection.preset.name}}}};
+                      {"properties", properties}};
     const Json log = {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
                       {"version", "2.1.0"},
                       {"runs", Json::array({run})}};

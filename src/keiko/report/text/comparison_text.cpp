@@ -1,6 +1,7 @@
 #include "keiko/base/text.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/report/content/comparison.h"
+#include "keiko/report/content/scope_texts.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <cmath>
@@ -94,7 +95,13 @@ void add_faces(TextLines& lines, const Comparison& c) {
 
 std::string comparison_text(const Comparison& c) {
     TextLines lines;
-    lines.line() << (c.same() ? "same within tolerance" : "different");
+    const std::string part = scope_words(c.inspection_after.scope);
+    lines.line() << (c.same() ? "same within tolerance" : "different") << (part.empty() ? "" : "; ")
+                 << part;
+    for (const auto* inspection : {&c.inspection_before, &c.inspection_after})
+        for (const std::string& sentence : scope_sentences(inspection->scope, inspection->preset))
+            lines.line() << (inspection == &c.inspection_before ? "before: " : "after: ")
+                         << sentence;
     if (c.alignment) lines.line() << "aligned: " << alignment_words(*c.alignment);
     for (const ComparisonCheck& check : comparison_checks(c))
         lines.line() << mark_of(check) << check_text(c, check);

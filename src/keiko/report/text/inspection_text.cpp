@@ -2,6 +2,7 @@
 #include "keiko/report/content/acceptance_texts.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/line_list.h"
+#include "keiko/report/content/scope_texts.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -11,7 +12,7 @@ namespace keiko {
 namespace {
 
 std::string faces_text(const Inspection& inspection) {
-    if (inspection.preset.surface == SurfaceLimits{}) return "";
+    if (!judges_faces(inspection.preset)) return "";
     const FaceCounts& counts = inspection.face_counts;
     return "; faces " + std::to_string(counts.fail) + " fail, " + std::to_string(counts.undecided) +
            " undecided, " + std::to_string(counts.pass) + " pass" +
@@ -108,8 +109,12 @@ std::string seams_words(const Inspection& inspection) {
 
 std::string inspection_text(const Inspection& inspection, std::size_t most) {
     TextLines lines;
+    const std::string part = scope_words(inspection.scope);
     lines.line() << name_of(inspection.verdict) << ": " << seams_words(inspection)
-                 << faces_text(inspection) << "; by " << inspection.preset.name;
+                 << faces_text(inspection) << "; by " << inspection.preset.name
+                 << (part.empty() ? "" : "; ") << part;
+    for (const std::string& sentence : scope_sentences(inspection.scope, inspection.preset))
+        lines.line() << sentence;
     add_symmetry(lines, inspection);
     add_findings(lines, inspection, most);
     add_accepted(lines, inspection, most);

@@ -1,0 +1,131 @@
+#include "keiko/files/scene/limit_tables.h"
+
+#include "keiko/files/toml/toml_text.h"
+
+namespace keiko {
+namespace {
+
+constexpr TomlLimits corner_angles{.low = 0, .high = 90, .above_low = true};
+
+/// Largest values that quantities can have: a limit as large judges nothing.
+struct LargestValues {
+    static constexpr double alias = 1, catia = 2;  ///< mismatch of curvatures, by its formula
+    static constexpr double curvature_slope = 180; ///< degrees, between tangents of two plots
+    static constexpr double turn = 90, kink = 180; ///< degrees, of lines
+};
+
+/// A limit that a quantity of at most `largest` can be beyond.
+std::optional<double> limit_below(const TomlTable& table, std::string_view key, double largest) {
+    const auto limit = table.number(key, TomlLimits::positive());
+    if (limit && !(*limit < largest))
+        throw table.error(key, "must be above 0 and below " + toml_number(largest) +
+                                   ", which nothing is beyond, is " + toml_number(*limit));
+    return limit;
+}
+
+CurvatureLimit curvature_from(const TomlTable& table) {
+    CurvatureLimit limit;
+    const std::size_t formula =
+        table.required("formula", table.choice("formula", {"alias", "catia"}));
+    const bool is_alias = formula == 0;
+    limit.formula = is_alias ? CurvatureFormula::alias : CurvatureFormula::catia;
+    const double largest = is_alias ? LargestValues::alias : LargestValues::catia;
+    limit.limit = table.required("limit", limit_below(table, "limit", largest));
+    table.finish();
+    return limit;
+}
+
+WavinessLimit waviness_from(const TomlTable& table) {
+    WavinessLimit limit;
+    limit.depth = table.required("depth", table.number("depth", limit_lengths));
+    limit.window = table.required("window", table.number("window", limit_lengths));
+    limit.waves_only = table.flag("waves_only").value_or(false);
+    if (limit.depth > limit.window / 50)
+        throw table.error("depth", "is more than a fiftieth of the window: such is form, no flaw");
+    table.finish();
+    return limit;
+}
+
+/// One, or several by ascending windows.
+std::vector<WavinessLimit> waviness_limits_from(const TomlTable& table) {
+    if (table.kind("waviness") != "array") {
+        const auto waviness = table.table("waviness");
+        return waviness ? std::vector{waviness_from(*waviness)} : std::vector<WavinessLimit>{};
+    }
+    std::vector<WavinessLimit> limits;
+    for (const TomlTable& one : table.tables("waviness")) {
+        const WavinessLimit limit = waviness_from(one);
+        if (!limits.empty() && !(limits.back().window < limit.window))
+            throw one.error("window", "is no wider than the one before it");
+        limits.push_back(limit);
+    }
+    return limits;
+}
+
+SymmetryLimit symmetry_from(const TomlTable& table) {
+    SymmetryLimit limit;
+    const std::string plane = table.required("plane", table.text("plane"));
+    try {
+        limit.plane = MirrorPlane::parse(plane);
+    } catch (const Error& error) {
+        throw table.error("plane", error.reason());
+    }
+    limit.distance = table.required("distance", table.number("distance", limit_lengths));
+    table.finish();
+    return limit;
+}
+
+} // namespace
+
+void read_seam_limits(const TomlTable& table, CriteriaPreset& preset) {
+    preset.gap = table.required("gap", table.number("gap", limit_lengths));
+    preset.angle = table.required("angle", table.number("angle", limit_angles));
+    preset.curvature.reset();
+    if (const auto curvature = table.table("curvature"))
+        preset.curvature = curvature_from(*curvature);
+    preset.curvature_slope = limit_below(table, "curvature_slope", LargestValues::curvature_slope);
+    preset.fading = table.number("fading", TomlLimits::positive()).value_or(preset.angle / 70);
+}
+
+LineLimits line_limits_from(const TomlTable& table) {
+    LineLimits limits;
+    limits.jump = table.number("jump", limit_lengths);
+    limits.turn = limit_below(table, "turn", LargestValues::turn);
+    limits.kink = limit_below(table, "kink", LargestValues::kink);
+    limits.bend = table.number("bend", TomlLimits::positive());
+    table.finish();
+    return limits;
+}
+
+SurfaceLimits surface_limits_from(const TomlTable& table) {
+    SurfaceLimits limits;
+    limits.minimum_radius = table.number("minimum_radius", limit_lengths);
+    limits.waviness = waviness_limits_from(table);
+    if (const auto symmetry = table.table("symmetry")) limits.symmetry = symmetry_from(*symmetry);
+    table.finish();
+    return limits;
+}
+
+StructureLimits structure_limits_from(const TomlTable& table) {
+    constexpr int most_degree = 100, most_spans = 1000000;
+    StructureLimits limits;
+    limits.degree = table.integer("degree", 1, most_degree);
+    limits.spans = table.integer("spans", 1, most_spans);
+    limits.knot_distance = table.number("knot_distance", limit_lengths);
+    limits.patch_edge = table.number("patch_edge", limit_lengths);
+    limits.degenerate_edge = table.number("degenerate_edge", limit_lengths);
+    limits.corner_angle = table.number("corner_angle", corner_angles);
+    limits.short_edge = table.number("short_edge", limit_lengths);
+    limits.small_face = table.number("small_face", limit_lengths);
+    table.finish();
+    return limits;
+}
+
+LookLimits look_limits_from(const TomlTable& table) {
+    LookLimits limits;
+    limits.waviness = waviness_limits_from(table);
+    table.finish();
+    return limits;
+}
+
+} // namespace keiko
