@@ -89,6 +89,15 @@ Check radius_check(const MeasuredFace& face) {
     return judged_check("G-SU-CR", "mm", *face.radius, {"the smallest radius", " mm"});
 }
 
+/// A radius that no preset judges is worth a look where a bend is narrower than what counts.
+Check narrow_radius_check(const MeasuredFace& face, double negligible) {
+    MeasuredValue worst = *face.radius;
+    worst.limit = negligible, worst.verdict = Verdict::fail;
+    Check check = judged_check("G-SU-CR", "mm", worst, {"the smallest radius", " mm"});
+    check.severity = Check::Severity::look;
+    return check;
+}
+
 Check unsearched_check(const Flaw& flaw) {
     Check check =
         judged_check("G-SU-WV", "mm", flaw.depth, {"the depth of dents and waves", " mm"});
@@ -180,7 +189,10 @@ std::vector<Check> checks_of(const MeasuredFace& face, const CriteriaPreset& pre
                              std::uint32_t index) {
     const SurfaceLimits& limits = preset.surface;
     std::vector<Check> checks;
-    if (limits.minimum_radius) checks.push_back(radius_check(face));
+    if (limits.minimum_radius)
+        checks.push_back(radius_check(face));
+    else if (face.radius && face.radius->value < preset.negligible)
+        checks.push_back(narrow_radius_check(face, preset.negligible));
     std::vector<Check> flaws =
         limits.waviness.empty() ? looks_of(face) : flaw_checks(face, limits.waviness.front());
     std::move(flaws.begin(), flaws.end(), std::back_inserter(checks));

@@ -51,6 +51,17 @@ TEST(FaceMeasure, CannotTellWhereTheLimitLiesWithinTheBound) {
     EXPECT_EQ(inspect(cylinder(0.6), at_least(between)).faces[0].verdict, Verdict::undecided);
 }
 
+TEST(FaceMeasure, ListsBendsNarrowerThanNegligibleWhereNoPresetJudgesThem) {
+    const Inspection narrow = inspect(cylinder(0.05));
+    EXPECT_EQ(narrow.verdict, Verdict::pass);
+    ASSERT_EQ(narrow.looks.size(), 1u);
+    EXPECT_EQ(narrow.looks[0].code, "G-SU-CR");
+    EXPECT_EQ(narrow.looks[0].message,
+              "the smallest radius of 0.05 mm is under the limit of 0.1 mm");
+    EXPECT_TRUE(inspect(cylinder(0.11)).looks.empty());
+    EXPECT_TRUE(inspect(cylinder(0.05), at_least(0.01)).looks.empty());
+}
+
 TEST(FaceMeasure, CountsWhatAnApproximationMayBeOff) {
     const auto verdict = [](double radius, double off) {
         SurfaceModel model = cylinder(radius);

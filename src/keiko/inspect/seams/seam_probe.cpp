@@ -43,6 +43,11 @@ Side along_way(const Side& side, const SurfaceDerivatives& surface, const Vec3& 
             normal_curvature_slope(surface, side.normal, across)};
 }
 
+/// Area that a unit of both parameters covers; 0 where the surface has no frame.
+double area_of(const std::optional<BoundaryFrame>& frame) {
+    return frame ? frame->surface.du().cross(frame->surface.dv()).length() : 0;
+}
+
 /// Radians between the normals, negative where the surface bends the other way.
 double turn_between(const Side& from, const Side& into) {
     const double angle = angle_between(from.normal, into.normal);
@@ -94,6 +99,34 @@ SeamProbe SeamProbe::part(const SeamPoint& from, const SeamPoint& to) const {
     std::erase_if(result.changes_.a, is_beyond);
     std::erase_if(result.changes_.either, [&](const SeamStep& at) { return is_beyond(at.t); });
     return result;
+}
+
+std::optional<SeamProbe> SeamProbe::away_from_poles(double way) const {
+    const SeamPoint middle = at((begin() + end()) / 2);
+    SeamPoint from = at(begin(), on_b_.begin), to = at(end(), on_b_.end);
+    const bool at_begin = collapses_towards(from, middle), at_end = collapses_towards(to, middle);
+    if (!at_begin && !at_end) return std::nullopt;
+    if (at_begin) from = inside_of(false, way);
+    if (at_end) to = inside_of(true, way);
+    return part(from, to);
+}
+
+bool SeamProbe::collapses_towards(const SeamPoint& end, const SeamPoint& inside) const {
+    constexpr double next_to_nothing = 1e-3;
+    const auto collapses = [](const SurfaceCurve& side, double t_end, double t_inside) {
+        return area_of(side.frame(t_end)) < next_to_nothing * area_of(side.frame(t_inside));
+    };
+    return collapses(a_, end.t, inside.t) || collapses(b_, end.s, inside.s);
+}
+
+SeamPoint SeamProbe::inside_of(bool at_end, double way) const {
+    const double end = at_end ? on_a_.end : on_a_.begin;
+    const Vec3 from = place(end);
+    double near = end, far = (on_a_.begin + on_a_.end) / 2;
+    if ((place(far) - from).length() <= way) return at(far);
+    for (double t = (near + far) / 2; t != near && t != far; t = (near + far) / 2)
+        ((place(t) - from).length() < way ? near : far) = t;
+    return at(far);
 }
 
 SeamPoint SeamProbe::at(double t, double s_guess) const {

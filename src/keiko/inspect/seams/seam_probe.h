@@ -59,6 +59,11 @@ public:
     /// searched along the whole seam.
     SeamProbe part(const SeamPoint& from, const SeamPoint& to) const;
 
+    /// The seam without its ends at poles, `way` mm of each; nullopt if it has no such end. An end
+    /// is at a pole if the parametrisation of a side all but collapses there: curvatures then
+    /// depend on the last digits of a file.
+    std::optional<SeamProbe> away_from_poles(double way) const;
+
     /// Parameter of side a at which the seam begins.
     double begin() const { return on_a_.begin; }
     /// Parameter of side a at which the seam ends.
@@ -105,6 +110,12 @@ public:
     std::vector<double> patch_changes() const;
 
 private:
+    /// True if the area that a unit of the parameters of a side covers is next to nothing at a
+    /// point, compared with that at another point.
+    bool collapses_towards(const SeamPoint& end, const SeamPoint& inside) const;
+    /// The first point `way` mm from an end, at most in the middle.
+    SeamPoint inside_of(bool at_end, double way) const;
+
     /// Places at which patches change, in rising order.
     struct PatchChanges {
         std::vector<double> a;        ///< those of side a: its parameters

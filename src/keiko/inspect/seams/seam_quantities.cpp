@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -29,12 +30,17 @@ std::optional<double> negated(const std::optional<double>& value) {
     return -*value;
 }
 
-std::vector<SeamQuestion> questions_of(const CriteriaPreset& preset,
-                                       const SeamQuantities& quantities) {
+/// Questions about gap and angle.
+std::vector<SeamQuestion> questions_of_form(const CriteriaPreset& preset) {
     return {{[](const SeamPoint& p) { return p.gap; }, relative_tolerance * preset.gap},
             {[](const SeamPoint& p) { return p.angle; }, relative_tolerance * preset.angle},
-            {[](const SeamPoint& p) { return negated(p.angle); }, preset.angle},
-            {[&](const SeamPoint& p) { return quantities.mismatch(p); },
+            {[](const SeamPoint& p) { return negated(p.angle); }, preset.angle}};
+}
+
+/// Questions about curvatures and their slopes.
+std::vector<SeamQuestion> questions_of_bend(const CriteriaPreset& preset,
+                                            const SeamQuantities& quantities) {
+    return {{[&](const SeamPoint& p) { return quantities.mismatch(p); },
              relative_tolerance * 10 * quantities.curvature_limit().limit},
             {[&](const SeamPoint& p) { return quantities.slope(p); },
              relative_tolerance * 10 * preset.curvature_slope.value_or(unjudged_slope)}};
@@ -63,8 +69,16 @@ bool SeamQuantities::is_floored(const SeamPoint& point) const {
 }
 
 StretchExtremes extremes_along(const SeamProbe& probe, const CriteriaPreset& preset) {
+    constexpr double longest = 0.01; // of the length
     const SeamQuantities quantities(preset);
-    const auto found = seam_extremes(probe, questions_of(preset, quantities));
+    std::vector<SeamQuestion> form = questions_of_form(preset);
+    const std::vector<SeamQuestion> bend = questions_of_bend(preset, quantities);
+    const std::optional<SeamProbe> off_poles =
+        probe.away_from_poles(std::min(preset.negligible, longest * probe.length()));
+    if (!off_poles) form.insert(form.end(), bend.begin(), bend.end());
+    auto found = seam_extremes(probe, form);
+    if (off_poles)
+        for (auto& extreme : seam_extremes(*off_poles, bend)) found.push_back(std::move(extreme));
     return {found[0], found[1], found[2], found[3], found[4]};
 }
 
