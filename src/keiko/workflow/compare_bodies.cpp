@@ -327,7 +327,8 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
     comparison.before = before.string(), comparison.after = after.string();
     if (options.mirror) comparison.after += ", mirrored at " + options.mirror->text();
     comparison.tolerance = options.tolerance;
-    constexpr double opening = 2, aligning = 2, measuring = 4, inspecting = 16, viewing = 30;
+    constexpr double opening = 2, aligning = 2, limiting = 1, measuring = 4, inspecting = 16,
+                     viewing = 30;
     JobSteps steps(job, 2 * opening + aligning + limiting + measuring + inspecting +
                             (options.views ? viewing : 0));
     const Scene scene_before = opened(before, options, steps.next_of_steps(opening));
