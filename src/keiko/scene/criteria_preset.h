@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/scene/joint_limits.h"
 #include "keiko/scene/symmetry.h"
 
 #include <optional>
@@ -102,6 +103,7 @@ struct CriteriaPreset {
     SurfaceLimits surface{};                                ///< of each face by itself
     StructureLimits structure{};                            ///< of patches and edges
     LookLimits look{};                                      ///< of what is worth inspecting
+    JointLimits joint{.parallelism = 0.5};                  ///< of joints, where requested
 
     /// The limits by which dents and waves are searched for: those that are judged, else the
     /// others.

@@ -18,6 +18,12 @@ constexpr TomlLimits negligible_lengths{.low = 1e-3, .high = 1e3};
 constexpr TomlLimits angles{.low = 0, .high = 180, .above_low = true};
 constexpr TomlLimits corner_angles{.low = 0, .high = 90, .above_low = true};
 
+/// Sizes of joints, mm.
+constexpr TomlLimits joint_gaps{.low = 0, .high = 100};
+constexpr TomlLimits joint_steps{.low = -100, .high = 100};
+constexpr TomlLimits joint_reaches{.low = 0.1, .high = 100};
+constexpr TomlLimits joint_spacings{.low = 0.1, .high = 1000};
+
 /// Largest values that quantities can have: a limit as large judges nothing.
 struct LargestValues {
     static constexpr double alias = 1, catia = 2;  ///< mismatch of curvatures, by its formula
@@ -140,6 +146,31 @@ StructureLimits structure_limits_from(const TomlTable& table) {
     return limits;
 }
 
+NominalSize nominal_from(const TomlTable& table, const TomlLimits& sizes) {
+    NominalSize size;
+    size.nominal = table.required("nominal", table.number("nominal", sizes));
+    size.tolerance = table.required("tolerance", table.number("tolerance", lengths));
+    table.finish();
+    return size;
+}
+
+JointLimits joint_limits_from(const TomlTable& table) {
+    JointLimits limits;
+    if (const auto gap = table.table("gap")) limits.gap = nominal_from(*gap, joint_gaps);
+    if (const auto flush = table.table("flush")) limits.flush = nominal_from(*flush, joint_steps);
+    limits.parallelism = table.number("parallelism", lengths);
+    limits.radius = table.number("radius", lengths);
+    limits.widest = table.number("widest", joint_reaches).value_or(limits.widest);
+    limits.largest_radius =
+        table.number("largest_radius", joint_reaches).value_or(limits.largest_radius);
+    limits.corner_radius = table.number("corner_radius", lengths).value_or(limits.corner_radius);
+    limits.spacing = table.number("spacing", joint_spacings).value_or(limits.spacing);
+    if (limits.gap && limits.gap->nominal + limits.gap->tolerance >= limits.widest)
+        throw table.error("gap", "reaches what is too wide for a joint: no gap could be over it");
+    table.finish();
+    return limits;
+}
+
 LookLimits look_limits_from(const TomlTable& table) {
     LookLimits limits;
     limits.waviness = waviness_limits_from(table);
@@ -175,6 +206,8 @@ CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
         if (!preset.look.waviness.empty() && !preset.surface.waviness.empty())
             throw look->error("waviness", "has no use where [surface] limits it");
     }
+    const auto joint = root.table("joint");
+    preset.joint = joint ? joint_limits_from(*joint) : JointLimits{};
     root.finish();
     return preset;
 }
