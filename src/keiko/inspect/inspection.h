@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/inspect/acceptance.h"
 #include "keiko/inspect/check.h"
+#include "keiko/inspect/joints/joint.h"
 #include "keiko/inspect/judged_scope.h"
 #include "keiko/inspect/model_facts.h"
 #include "keiko/inspect/seams/seam_measure.h"
@@ -47,8 +48,9 @@ struct Inspection {
     std::vector<AcceptanceRemark> acceptance_remarks; ///< on acceptances that cover nothing
     /// Stretches, and faces, that pass without what is accepted; rising indices.
     std::vector<std::uint32_t> accepted_seams, accepted_faces;
-    SeamCounts counts;      ///< of `seams`
-    FaceCounts face_counts; ///< of `faces` that are judged
+    std::optional<std::vector<Joint>> joints{}; ///< between panels; nullopt where not sought
+    SeamCounts counts;                          ///< of `seams`
+    FaceCounts face_counts;                     ///< of `faces` that are judged
     /// The worst verdict of all seams and faces, without what is accepted; never pass if faces were
     /// lost, since their seams are not judged.
     Verdict verdict = Verdict::pass;

@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/scene/face_selection.h"
+#include "keiko/scene/joint_limits.h"
 #include "keiko/scene/symmetry.h"
 
 #include <optional>
@@ -105,6 +106,7 @@ struct CriteriaPreset {
     SurfaceLimits surface{};                                ///< of each face by itself
     StructureLimits structure{};                            ///< of patches and edges
     LookLimits look{};                                      ///< of what is worth inspecting
+    JointLimits joint{.parallelism = 0.5};                  ///< of joints, where requested
     /// Faces with limits of their own. A face belongs to the first that selects it, and is judged
     /// by the limits above without any.
     std::vector<Zone> zones;

@@ -61,6 +61,25 @@ TEST(PresetFile, WavinessDiffersFromClassAOuterInItsSurfaceAlone) {
     EXPECT_EQ(preset, outer);
 }
 
+TEST(PresetFile, HoldsTheLimitsOfJoints) {
+    const std::string head =
+        "format = \"keiko-preset/1\"\nname = \"x\"\n[seam]\ngap = 1\n"
+        "angle = 1\n";
+    const auto limits = [&](const std::string& joint) {
+        return parse_preset(head + joint, "p.toml").joint;
+    };
+    EXPECT_EQ(limits(""), JointLimits{});
+    const JointLimits all = limits(
+        "[joint]\ngap = { nominal = 3.5, tolerance = 0.5 }\nflush = { nominal = -0.2, "
+        "tolerance = 0.3 }\nparallelism = 0.4\nradius = 2.5\nwidest = 20\n"
+        "largest_radius = 8\ncorner_radius = 50\nspacing = 5\n");
+    EXPECT_EQ(all,
+              (JointLimits{NominalSize{3.5, 0.5}, NominalSize{-0.2, 0.3}, 0.4, 2.5, 20, 8, 50, 5}));
+    EXPECT_THROW(limits("[joint]\ngap = { nominal = 3.5 }\n"), Error);
+    EXPECT_THROW(limits("[joint]\ngap = { nominal = 14, tolerance = 1 }\n"), Error);
+    EXPECT_THROW(limits("[joint]\nwidth = 3\n"), Error);
+}
+
 TEST(PresetFile, AnUnknownNameListsTheKnownOnes) {
     try {
         preset_by_name("class-z");

@@ -15,6 +15,12 @@ namespace {
 
 constexpr TomlLimits negligible_lengths{.low = 1e-3, .high = 1e3};
 
+/// Sizes of joints, mm.
+constexpr TomlLimits joint_gaps{.low = 0, .high = 100};
+constexpr TomlLimits joint_steps{.low = -100, .high = 100};
+constexpr TomlLimits joint_reaches{.low = 0.1, .high = 100};
+constexpr TomlLimits joint_spacings{.low = 0.1, .high = 1000};
+
 void read_seam(const TomlTable& table, CriteriaPreset& preset) {
     read_seam_limits(table, preset);
     preset.feature_angle =
@@ -28,6 +34,32 @@ void read_seam(const TomlTable& table, CriteriaPreset& preset) {
         throw table.error("feature_angle",
                           "is not above the limit of the angle: no seam could fail");
     table.finish();
+}
+
+NominalSize nominal_from(const TomlTable& table, const TomlLimits& sizes) {
+    NominalSize size;
+    size.nominal = table.required("nominal", table.number("nominal", sizes));
+    size.tolerance = table.required("tolerance", table.number("tolerance", limit_lengths));
+    table.finish();
+    return size;
+}
+
+JointLimits joint_limits_from(const TomlTable& table) {
+    JointLimits limits;
+    if (const auto gap = table.table("gap")) limits.gap = nominal_from(*gap, joint_gaps);
+    if (const auto flush = table.table("flush")) limits.flush = nominal_from(*flush, joint_steps);
+    limits.parallelism = table.number("parallelism", limit_lengths);
+    limits.radius = table.number("radius", limit_lengths);
+    limits.widest = table.number("widest", joint_reaches).value_or(limits.widest);
+    limits.largest_radius =
+        table.number("largest_radius", joint_reaches).value_or(limits.largest_radius);
+    limits.corner_radius =
+        table.number("corner_radius", limit_lengths).value_or(limits.corner_radius);
+    limits.spacing = table.number("spacing", joint_spacings).value_or(limits.spacing);
+    if (limits.gap && limits.gap->nominal + limits.gap->tolerance >= limits.widest)
+        throw table.error("gap", "reaches what is too wide for a joint: no gap could be over it");
+    table.finish();
+    return limits;
 }
 
 std::vector<CriteriaPreset> parsed_standard_presets() {
@@ -78,6 +110,8 @@ CriteriaPreset parsed(std::string_view text, const std::string& source, ZonesOf 
     if (zones == ZonesOf::none && root.has("zone"))
         throw root.error("zone", "has no place in a preset that a zone takes its limits from");
     preset.zones = zones_from(root, preset);
+    const auto joint = root.table("joint");
+    preset.joint = joint ? joint_limits_from(*joint) : JointLimits{};
     root.finish();
     return preset;
 }
