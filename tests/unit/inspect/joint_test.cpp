@@ -279,8 +279,8 @@ SurfaceModel rounded_corner(double gap, double radius) {
     const auto arc = [&](double from_x, double from_y, double corner_x, double corner_y,
                          double to_x, double to_y) {
         const double w = std::sqrt(0.5);
-        return test::CurveData{{Vec3(from_x, from_y, 1), Vec3(corner_x * w, corner_y * w, w),
-                                Vec3(to_x, to_y, 1)}};
+        return test::CurveData{
+            {Vec3(from_x, from_y, 1), Vec3(corner_x * w, corner_y * w, w), Vec3(to_x, to_y, 1)}};
     };
     test::ShapeBuilder builder;
     builder.face({test::rectangle(0, 200, -60, 0, 0)});

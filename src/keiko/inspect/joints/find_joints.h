@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
 #include "keiko/inspect/joints/joint.h"
@@ -10,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace KEIKO_API keiko {
+namespace keiko {
 
 /// The joints between bodies, faces joined by `seams`, whose skins end side by side and towards
 /// each other within `limits.widest` mm (docs/theory/joints.md). In the order of the first panel's
