@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/inspect/check.h"
 #include "keiko/inspect/joints/joint.h"
@@ -8,7 +7,7 @@
 
 #include <vector>
 
-namespace KEIKO_API keiko {
+namespace keiko {
 
 struct Inspection;
 
