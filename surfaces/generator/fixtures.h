@@ -35,6 +35,9 @@ Fixture sphere();
 /// A sewn solid: a block of 60 x 40 x 24 mm, all edges rounded with 5 mm, bored through with 6 mm.
 Fixture bored_block();
 
+/// A door beside a fender, both with rolled edges: a joint that widens upwards, the door proud.
+Fixture shut_line();
+
 /// Hyperbolic paraboloid and dome in closed form.
 BptFixture saddle();
 BptFixture dome();

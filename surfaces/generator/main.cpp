@@ -15,9 +15,9 @@ int main(int argc, char** argv) {
     }
     const std::filesystem::path directory = argv[1];
     try {
-        for (const auto make :
-             {concept_car, hood, seam_g0_gap, seam_g1_angle, seam_g1_only, seam_g2_only, dent,
-              trimmed_hole, trimmed_two_holes, trimmed_island, pole, sphere, bored_block}) {
+        for (const auto make : {concept_car, hood, seam_g0_gap, seam_g1_angle, seam_g1_only,
+                                seam_g2_only, dent, trimmed_hole, trimmed_two_holes, trimmed_island,
+                                pole, sphere, bored_block, shut_line}) {
             const Fixture fixture = make();
             report(fixture.file, fixture.truths);
             write_step(directory / fixture.file, fixture.faces);

@@ -1,6 +1,7 @@
 """`keiko check`: verdict, exit code, and files that other programs read."""
 import csv
 import json
+import math
 import shutil
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -344,6 +345,42 @@ class Check(KeikoTest):
         with open(self.folder / "car.csv", newline="") as file:
             value, = (float(row["value"]) for row in csv.DictReader(file) if row["code"] == "KEIKO-SYMMETRY")
         self.assertAlmostEqual(value, 0.01, delta=1e-4)
+
+    def test_joints_are_measured_where_requested(self):
+        line = surface("shut-line.step")
+        self.assertNotIn("joint", self.check(line, "--json", "plain.json")[1])
+        self.assertNotIn("joint", (self.folder / "plain.json").read_text())
+        code, text = self.check(line, "--joints", "--json", "joints.json")
+        self.assertEqual(code, 1)
+        self.assertRegex(text, r"\n1 joint between panels that stand apart\njoint 1  face 1 \(fender-skin\).* \| face 4 \(door-skin\).*: gap ")
+        self.assertIn("gap 3.500 to 4.547 mm, flush 0.400 to 0.400 mm, radius from 2.000 mm, 600.0 mm long\n", text)
+        self.assertRegex(text, r"\nfail  KEIKO-JOINT-PARALLEL  #1  .* of 1.05 mm is over the limit of 0.5 mm")
+        joint, = json.loads((self.folder / "joints.json").read_text())["joints"]
+        # Both foremost lines meet in a tip, and the gap is 2 tan(taper / 2) of the way from there.
+        taper = math.radians(0.1)
+        rear = (8.5 - 3 * math.cos(taper), 300 + 3 * math.sin(taper))
+        tip = rear[1] - (rear[0] - 2) / math.tan(taper)
+        for section in joint["sections"]:
+            x, _, z = section["sides"][0]["border"]
+            way = (x - 2) * math.sin(taper / 2) + (z - tip) * math.cos(taper / 2)
+            self.assertAlmostEqual(section["gap"], 2 * math.tan(taper / 2) * way, delta=1e-6)
+            self.assertAlmostEqual(section["flush"], 0.4, delta=1e-6)
+            self.assertAlmostEqual(section["sides"][0]["radius"], 2, delta=1e-6)
+            self.assertAlmostEqual(section["sides"][1]["radius"], 3, delta=1e-6)
+
+    def test_limits_of_joints_are_those_of_the_preset(self):
+        seam = 'format = "keiko-preset/1"\nname = "p"\n[seam]\ngap = 1\nangle = 1\n'
+        line = surface("shut-line.step")
+        limits = '[joint]\ngap = { nominal = 4, tolerance = 0.6 }\nflush = { nominal = 0.4, tolerance = 0.1 }\nradius = 1.5\n'
+        code, text = self.check(line, "--joints", "--preset", self.write("p.toml", seam + limits))
+        self.assertEqual(code, 0, text)
+        code, text = self.check(line, "--joints", "--preset", self.write("q.toml", seam + limits.replace("1.5", "2.5")))
+        self.assertEqual(code, 1)
+        self.assertIn("the radius of an edge of 2 mm is under the limit of 2.5 mm", text)
+        run = self.keiko("check", line, "--joints", "--preset", self.write("r.toml", seam), "-q")
+        self.assertEqual(run.stderr, "keiko: warning: no joint was judged: the preset p has no limits in [joint]\n")
+        run = self.keiko("check", GAP, "--joints", "-q")
+        self.assertEqual(run.stderr, "keiko: warning: no joint was found: no two panels end side by side within 15 mm\n")
 
     def test_a_plane_of_symmetry_is_checked(self):
         for arguments, reason in ((["--symmetry", "w"], "'w' is no plane to mirror at"),

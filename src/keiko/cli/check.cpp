@@ -58,6 +58,8 @@ int check(CheckArguments arguments, const Job& job) {
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     if (const std::string warning = nothing_judged(inspection); !warning.empty())
         log_warning(warning);
+    if (const std::string warning = joints_not_judged(inspection); !warning.empty())
+        log_warning(warning);
     warn_of_acceptances(inspection);
     FileTransaction outputs;
     arguments.files.add_to(outputs, inspection);
@@ -84,6 +86,8 @@ void add_check(CLI::App& app, Session& session) {
     command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();
+    command.add_flag("--joints", arguments->options.joints,
+                     "gap and flush between panels that stand apart, by the preset's [joint]");
     arguments->files.add_json_and_output(command);
     arguments->files.add_to(command);
     arguments->combs.add_to(command);

@@ -4,6 +4,7 @@
 #include "keiko/base/text.h"
 #include "keiko/compare/shape/symmetry.h"
 #include "keiko/geometry/trim/material_bounds.h"
+#include "keiko/inspect/joint_checks.h"
 #include "keiko/inspect/seams/seam_measure.h"
 #include "keiko/scene/view.h"
 #include "keiko/workflow/open_scene.h"
@@ -41,14 +42,15 @@ CheckResult check_models(std::span<const std::filesystem::path> inputs, const Ch
     const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
     constexpr double reading = 2, choosing = 0.5, measuring = 18, symmetry = 1, drawing = 1;
     const bool combs = has_curves(options.combs);
-    JobSteps steps(
-        job, reading + choosing + measuring + symmetry + drawing * (combs + options.profiles));
+    JobSteps steps(job, reading + choosing + measuring + symmetry + (options.joints ? 1 : 0) +
+                            drawing * (combs + options.profiles));
     const SurfaceModel model = read_body(spec, options.load, steps.next(reading)).model;
     const FaceLimits limits =
         zoned_limits({model}, options.preset, options.scope, steps.next(choosing));
     CheckResult result{
         inspect(model, limits, options.join, steps.next(measuring, inspection_stages))};
     check_symmetry(model, result.inspection, steps.next(symmetry));
+    if (options.joints) check_joints(model, result.inspection, steps.next(1));
     accept_findings(result.inspection, options.acceptances);
     if (combs) result.combs = combs_of(model, options.combs, steps.next(drawing));
     if (options.profiles) {

@@ -44,6 +44,7 @@ struct CheckOptions {
     double join = 0.5;                                  ///< mm
     CombOptions combs{};          ///< sections and iso-curves; none unless requested
     bool profiles = false;        ///< of every stretch of a seam
+    bool joints = false;          ///< of panels that stand apart, too
     AcceptanceList acceptances{}; ///< findings that have no part in the verdict
     Scope scope{};                ///< part of the body that is judged
 };

@@ -39,6 +39,17 @@ std::string nothing_judged(const Inspection& inspection) {
            short_number(inspection.join) + " mm";
 }
 
+std::string joints_not_judged(const Inspection& inspection) {
+    if (!inspection.joints) return "";
+    if (inspection.joints->empty())
+        return "no joint was found: no two panels end side by side within " +
+               short_number(inspection.preset.joint.widest) + " mm";
+    const JointLimits& limits = inspection.preset.joint;
+    if (limits.gap || limits.flush || limits.parallelism || limits.radius) return "";
+    return "no joint was judged: the preset " + inspection.preset.name +
+           " has no limits in [joint]";
+}
+
 std::vector<FoldedRemark> folded_remarks(const Diagnostics& remarks) {
     const auto key = [](const Diagnostic& r) { return std::tie(r.severity, r.entity, r.message); };
     std::map<std::tuple<Severity, std::string, std::string>, std::size_t> times;

@@ -33,6 +33,9 @@ std::string unmet_borders(const ModelFacts& facts);
 /// distance within which seams were searched. Else empty.
 std::string nothing_judged(const Inspection& inspection);
 
+/// Warning if joints were sought and none was found, or none judged; else empty.
+std::string joints_not_judged(const Inspection& inspection);
+
 /// One remark, or several equal ones, for people.
 struct FoldedRemark {
     Severity severity = Severity::note; ///< of all of them

@@ -29,6 +29,10 @@ Json findings_json(const Inspection& inspection);
 /// items and hidden, each [{mending, findings, seams, face, length, visible, width, weight, view,
 /// mirrored}]; numbers from 1.
 Json triage_json(const Triage& triage);
+/// Joints between panels, each with its sections.
+Json joints_json(const std::vector<Joint>& joints);
+/// The limits of joints that a preset has, and by what joints are sought.
+Json joint_limits_json(const JointLimits& limits);
 /// The accepted findings.
 Json accepted_json(const Inspection& inspection);
 /// A sentence for each acceptance that covers nothing.

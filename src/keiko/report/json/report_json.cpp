@@ -189,6 +189,10 @@ Json inspection_json_value(const Inspection& inspection) {
     for (const Check& check : inspection.checks)
         if (check.code == "KEIKO-SYMMETRY") json["symmetry"] = finding_json(check);
     if (inspection.scope) json["scope"] = scope_json(*inspection.scope, inspection.preset);
+    if (inspection.joints) {
+        json["preset"]["joint"] = joint_limits_json(inspection.preset.joint);
+        json["joints"] = joints_json(*inspection.joints);
+    }
     return json;
 }
 

@@ -11,6 +11,14 @@
 namespace keiko {
 namespace {
 
+/// A number without the sign of one that is rounded to 0.
+std::string number(const char* format, double value) {
+    char text[48];
+    std::snprintf(text, sizeof text, format, value);
+    if (std::strtod(text, nullptr) == 0) std::snprintf(text, sizeof text, format, 0.0);
+    return text;
+}
+
 std::string faces_text(const Inspection& inspection) {
     if (!judges_faces(inspection.preset)) return "";
     const FaceCounts& counts = inspection.face_counts;
@@ -31,6 +39,37 @@ std::string stretches_text(const Inspection& inspection) {
     const std::size_t stretches = inspection.seams.size(), seams = inspection.facts.seams;
     if (stretches == seams) return "";
     return " (of " + counted(seams, "seam") + ")";
+}
+
+/// "0.4 to 1.2"
+std::string range_text(double low, double high) {
+    return number("%.3f", low) + " to " + number("%.3f", high);
+}
+
+/// Gap, flush, radius and length of a joint.
+std::string joint_sizes(const Joint& joint) {
+    std::string text;
+    if (const auto& e = joint.extremes)
+        text = "gap " + range_text(e->narrowest.gap, e->widest.gap) + " mm, flush " +
+               range_text(e->deepest.flush, e->proudest.flush) + " mm, radius from " +
+               number("%.3f", e->sharpest.least_radius()) + " mm, ";
+    text += number("%.1f", joint.length) + " mm long";
+    if (joint.unmeasured > 0)
+        text += ", of which " + number("%.1f", joint.unmeasured) + " mm cannot be measured";
+    return text;
+}
+
+/// Adds each joint that was sought, whether judged or not.
+void add_joints(TextLines& lines, const Inspection& inspection, std::size_t most) {
+    if (!inspection.joints) return;
+    const std::vector<Joint>& joints = *inspection.joints;
+    lines.line() << counted(joints.size(), "joint") << " between panels that stand apart";
+    const std::size_t shown = std::min(most, joints.size());
+    for (std::size_t i = 0; i < shown; ++i)
+        lines.line() << "joint " << i + 1 << "  " << joints[i].names << ": "
+                     << joint_sizes(joints[i]);
+    if (shown < joints.size())
+        lines.line() << "and " << joints.size() - shown << " more joints; JSON lists them all";
 }
 
 void add_check_line(TextLines& lines, const Check& check) {
@@ -67,14 +106,6 @@ void add_looks(TextLines& lines, const Inspection& inspection, std::size_t most)
     for (std::size_t i = 0; i < shown; ++i) add_check_line(lines, inspection.looks[i]);
     if (shown < inspection.looks.size())
         lines.line() << "and " << inspection.looks.size() - shown << " more";
-}
-
-/// A number without the sign of one that is rounded to 0.
-std::string number(const char* format, double value) {
-    char text[48];
-    std::snprintf(text, sizeof text, format, value);
-    if (std::strtod(text, nullptr) == 0) std::snprintf(text, sizeof text, format, 0.0);
-    return text;
 }
 
 /// Right-aligned numbers, then the names, which may be long.
@@ -116,6 +147,7 @@ std::string inspection_text(const Inspection& inspection, std::size_t most) {
     for (const std::string& sentence : scope_sentences(inspection.scope, inspection.preset))
         lines.line() << sentence;
     add_symmetry(lines, inspection);
+    add_joints(lines, inspection, most);
     add_findings(lines, inspection, most);
     add_accepted(lines, inspection, most);
     add_looks(lines, inspection, most);
