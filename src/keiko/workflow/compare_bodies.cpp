@@ -73,6 +73,18 @@ DeviationOptions deviation_options(const ClosestPointQuery& before,
     return deviation;
 }
 
+/// Numbers the partners of faces as the part of the other body has them; none out of the scope.
+void number_partners(Deviation& deviation, const PlacedModel& whole, const PlacedModel& part) {
+    for (FaceDeviation& face : deviation.faces) {
+        if (face.partner == no_index) continue;
+        const auto found =
+            std::find(part.origin.begin(), part.origin.end(), whole.origin[face.partner]);
+        face.partner = found == part.origin.end()
+                           ? no_index
+                           : static_cast<std::uint32_t>(found - part.origin.begin());
+    }
+}
+
 /// Compares the parts in the scope, each with the whole of the other body.
 void compare_geometry(const BodyPair& whole, const BodyPair& parts,
                       const CompareBodiesOptions& options, Comparison& comparison, const Job& job) {
@@ -83,6 +95,9 @@ void compare_geometry(const BodyPair& whole, const BodyPair& parts,
         measure_deviation(parts.after, whole.before, deviation, steps.next(1, stages));
     comparison.missing =
         measure_deviation(parts.before, whole.after, deviation, steps.next(1, stages));
+    if (&parts.before == &whole.before) return;
+    number_partners(comparison.deviation, whole.before.body(), parts.before.body());
+    number_partners(comparison.missing, whole.after.body(), parts.after.body());
 }
 
 /// The faces of a body in the scope.
@@ -157,14 +172,14 @@ std::vector<JoinedLines> lines_of(const Scene& scene, const LightRig& rig,
     return lines;
 }
 
-/// The lines that touch faces in the scope, as a whole.
+/// The parts of lines that lie on faces in the scope.
 JoinedLines lines_in_scope(JoinedLines lines, const FaceLimits& limits) {
-    std::erase_if(lines.lines, [&](const JoinedLine& line) {
-        return std::none_of(line.pieces.begin(), line.pieces.end(), [&](std::uint32_t piece) {
+    for (JoinedLine& line : lines.lines)
+        std::erase_if(line.pieces, [&](std::uint32_t piece) {
             const SurfaceLine& on = lines.pieces[piece];
-            return limits.in_scope({on.instance, on.face});
+            return !limits.in_scope(PlacedFace{on.instance, on.face});
         });
-    });
+    std::erase_if(lines.lines, [](const JoinedLine& line) { return line.pieces.empty(); });
     return lines;
 }
 
