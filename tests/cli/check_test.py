@@ -354,7 +354,7 @@ class Check(KeikoTest):
         self.assertEqual(code, 1)
         self.assertRegex(text, r"\n1 joint between panels that stand apart\njoint 1  face 1 \(fender-skin\).* \| face 4 \(door-skin\).*: gap ")
         self.assertIn("gap 3.500 to 4.547 mm, flush 0.400 to 0.400 mm, radius from 2.000 mm, 600.0 mm long\n", text)
-        self.assertRegex(text, r"\nfail  KEIKO-JOINT-PARALLEL  #1  .* of 1.05 mm is over the limit of 0.5 mm")
+        self.assertRegex(text, r"\nfail  KEIKO-JOINT-PARALLEL  #\d+  .* of 1.05 mm is over the limit of 0.5 mm")
         joint, = json.loads((self.folder / "joints.json").read_text())["joints"]
         # Both foremost lines meet in a tip, and the gap is 2 tan(taper / 2) of the way from there.
         taper = math.radians(0.1)
