@@ -107,11 +107,11 @@ CriteriaPreset parsed(std::string_view text, const std::string& source, ZonesOf 
         if (!preset.look.waviness.empty() && !preset.surface.waviness.empty())
             throw look->error("waviness", "has no use where [surface] limits it");
     }
+    const auto joint = root.table("joint");
+    preset.joint = joint ? joint_limits_from(*joint) : JointLimits{};
     if (zones == ZonesOf::none && root.has("zone"))
         throw root.error("zone", "has no place in a preset that a zone takes its limits from");
     preset.zones = zones_from(root, preset);
-    const auto joint = root.table("joint");
-    preset.joint = joint ? joint_limits_from(*joint) : JointLimits{};
     root.finish();
     return preset;
 }
