@@ -36,7 +36,7 @@ class Interrupted(KeikoTest):
         process = subprocess.Popen([BINARY, *arguments, "--verbose"], cwd=self.folder, text=True,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         for line in process.stderr:
-            if line == f"keiko: {stage}\n":
+            if line.rstrip("\n").split(" ")[1] == stage:
                 break
         process.send_signal(stop)
         start = time.monotonic()
@@ -77,7 +77,7 @@ class EveryCommand(KeikoTest):
     def ends(self, process: subprocess.Popen, stage: str = "", delay: float = 0.5):
         """Sends SIGINT so many seconds after the progress names the stage."""
         for line in process.stderr if stage else ():
-            if line.rstrip("\n").endswith(stage):
+            if f" {stage}" in line:
                 break
         time.sleep(delay)
         self.assertIsNone(process.poll(), "it has ended before the signal")
