@@ -120,18 +120,19 @@ std::vector<Check> checks_at_borders(const ModelBorders& borders,
         check.faces = checks.names(torn.sides);
         checks.add({torn.sides[0], torn.sides[1]}, std::move(check));
     }
-    const auto add = [&](const auto& found, Check check) {
-        checks.add({found.sides[0], found.sides[1]}, std::move(check));
+    const auto add = [&](const std::array<PlacedFace, 2>& sides, Check check) {
+        checks.add({sides[0], sides[1]}, std::move(check));
     };
     const OpeningLimits small{join, strictest.negligible, strictest.gap};
     for (const Opening& opening : all_openings(borders, edges, pieces, small, job))
-        add(opening,
+        add(opening.sides,
             check_of_opening(opening, limits_at(opening.sides), checks.names(opening.sides)));
     for (const Groove& groove : grooves(borders, seams, pieces, small, strictest))
-        add(groove, check_of_groove(groove, limits_at(groove.sides), checks.names(groove.sides)));
+        add(groove.sides,
+            check_of_groove(groove, limits_at(groove.sides), checks.names(groove.sides)));
     for (const Overlap& overlap :
          all_overlaps(borders, edges, pieces, {join, strictest.negligible}, job))
-        add(overlap,
+        add(overlap.sides,
             check_of_overlap(overlap, limits_at(overlap.sides), checks.names(overlap.sides)));
     return checks.take();
 }
