@@ -107,7 +107,9 @@ Check check_of_groove(const Groove& groove, const CriteriaPreset& preset,
                : judged_check("G-SU-NT", "deg", worst,
                               {"the kink between faces with a crease each", " degrees"});
     check.message += ", some " + short_number(groove.length) + " mm long; the faces ";
-    check.message += is_gap ? "turn by " + short_number(groove.turn) + " degrees"
+    constexpr double rounding = 1e-9; // degrees, of the normals of parallel faces
+    const double turn = groove.turn > rounding ? groove.turn : 0;
+    check.message += is_gap ? "turn by " + short_number(turn) + " degrees"
                             : "are " + short_number(groove.width) + " mm apart";
     check.severity = Check::Severity::look;
     check.faces = faces;

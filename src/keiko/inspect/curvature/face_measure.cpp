@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/approximation_error.h"
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/regularity/narrow_turn.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +38,19 @@ std::optional<MeasuredValue> smallest_radius(const FaceCurvature& c, double off,
     return worst;
 }
 
+/// Takes the narrowest turn of the normals as the smallest radius where curvatures leave one open.
+void take_narrow_turn(MeasuredFace& face, const SurfaceModel& model, const CriteriaPreset& preset) {
+    MeasuredValue& radius = *face.radius;
+    const bool is_open =
+        face.curvature->singular > 0 || !(radius.value - radius.bound >= preset.negligible);
+    if (!is_open) return;
+    const auto turn = narrow_turn(model, face.instance, face.face, preset.negligible);
+    if (!turn || turn->radius >= radius.value) return;
+    radius.value = radius.bound = turn->radius, radius.place = turn->place;
+    const auto& limit = preset.surface.minimum_radius;
+    if (limit) radius.verdict = radius.value < *limit ? Verdict::fail : Verdict::undecided;
+}
+
 /// Counts what curvatures of an approximation may be off, 1/mm, in their bounds.
 void widen(FaceCurvature& c, double off) {
     const double most = std::max(std::abs(c.largest.value), std::abs(c.smallest.value));
@@ -47,7 +61,7 @@ void widen(FaceCurvature& c, double off) {
 }
 
 MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::uint32_t index,
-                      const SurfaceLimits& limits) {
+                      const CriteriaPreset& preset) {
     MeasuredFace face;
     face.instance = instance, face.face = index, face.id = model.faces[index].id;
     face.name = placed_face_name(model, instance, index);
@@ -59,7 +73,8 @@ MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::ui
     face.curvature =
         face_curvature(model, instance, index, off > 0 ? most_approximated : most_splits);
     if (!face.curvature) return face;
-    face.radius = smallest_radius(*face.curvature, off, limits.minimum_radius);
+    face.radius = smallest_radius(*face.curvature, off, preset.surface.minimum_radius);
+    if (face.radius) take_narrow_turn(face, model, preset);
     if (face.radius) face.verdict = face.radius->verdict;
     if (off > 0)
         widen(*face.curvature, off);
@@ -77,8 +92,7 @@ std::vector<MeasuredFace> measure_faces(const SurfaceModel& model, const FaceLim
                   [&](const PlacedFace& f) { return model.faces[f.face].patch_count == 0; });
     std::vector<MeasuredFace> faces(placed.size());
     parallel_for(placed.size(), job, "faces", [&](std::size_t i) {
-        faces[i] =
-            measured(model, placed[i].instance, placed[i].face, limits.of(placed[i]).surface);
+        faces[i] = measured(model, placed[i].instance, placed[i].face, limits.of(placed[i]));
         faces[i].in_scope = limits.in_scope(placed[i]);
     });
     return faces;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -54,23 +55,38 @@ double NormalCell::size() const {
     return hull_bounds(box_.view()).size();
 }
 
-bool NormalCell::is_regular() const {
+Vec3 NormalCell::sum() const {
     Vec3 sum(0);
+    for (int i = 0; i <= last(true); ++i)
+        for (int j = 0; j <= last(false); ++j) sum += coefficient(i, j);
+    return sum;
+}
+
+double NormalCell::rounding() const {
     double most = 0;
     for (int i = 0; i <= last(true); ++i)
-        for (int j = 0; j <= last(false); ++j) {
-            sum += coefficient(i, j);
-            most = std::max(most, magnitude(coefficient(i, j)));
-        }
-    if (!(sum.length() > 0)) return false;
-    const Vec3 mean = sum.normalized();
+        for (int j = 0; j <= last(false); ++j) most = std::max(most, magnitude(coefficient(i, j)));
     constexpr double of_product = 4 * std::numeric_limits<double>::epsilon();
-    const double rounding =
-        field_[0].rounding() + field_[1].rounding() + field_[2].rounding() + of_product * most;
+    return field_[0].rounding() + field_[1].rounding() + field_[2].rounding() + of_product * most;
+}
+
+bool NormalCell::is_regular() const {
+    return cone() < std::numbers::pi;
+}
+
+double NormalCell::cone() const {
+    const Vec3 all = sum();
+    if (!(all.length() > 0)) return std::numbers::pi;
+    const Vec3 mean = all.normalized();
+    const double error = rounding();
+    double widest = 0;
     for (int i = 0; i <= last(true); ++i)
-        for (int j = 0; j <= last(false); ++j)
-            if (!(coefficient(i, j).dot(mean) > rounding)) return false;
-    return true;
+        for (int j = 0; j <= last(false); ++j) {
+            const Vec3 n = coefficient(i, j);
+            if (!(n.dot(mean) > error)) return std::numbers::pi;
+            widest = std::max(widest, angle_between(n, mean));
+        }
+    return widest;
 }
 
 std::optional<std::array<Vec2, 2>> NormalCell::turned_corners() const {

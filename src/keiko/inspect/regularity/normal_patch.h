@@ -50,6 +50,9 @@ public:
     /// True if all of its normals are proved to be within 90 degrees of one direction: it is
     /// regular and does not turn over.
     bool is_regular() const;
+    /// Radians about the mean of its normals within which they are all proved to lie; pi if they
+    /// are not proved to be within a right angle of it.
+    double cone() const;
     /// Two corners whose normals differ by more than 90 degrees, in the patch's parameters.
     std::optional<std::array<Vec2, 2>> turned_corners() const;
     /// Halves across u or v. The cell is cut where its normals turn more, until that side is at
@@ -64,6 +67,8 @@ private:
     }
     int last(bool by_u) const { return by_u ? field_[0].degree_u() : field_[0].degree_v(); }
     double turn(bool by_u) const;
+    Vec3 sum() const;        ///< of the coefficients
+    double rounding() const; ///< of a coefficient's product with a unit vector
 
     PatchBox box_;
     FieldTriple field_;
