@@ -1,5 +1,8 @@
 #include "keiko/geometry/bernstein/bernstein_field.h"
 
+#include "keiko/geometry/bernstein/binomial.h"
+#include "keiko/geometry/bernstein/coefficient_lines.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -9,23 +12,6 @@ namespace keiko {
 namespace {
 
 constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
-
-/// C(n, 0) .. C(n, n).
-std::vector<double> binomials(int n) {
-    std::vector<double> row{1};
-    for (int k = 1; k <= n; ++k) row.push_back(row.back() * (n - k + 1) / k);
-    return row;
-}
-
-/// One row of coefficients cut at a share of it: the lower part, and in `row` the upper one.
-void cut(std::vector<double>& row, std::vector<double>& lower, double share) {
-    const std::size_t n = row.size();
-    for (std::size_t level = 0; level < n; ++level) {
-        lower[level] = row.front();
-        for (std::size_t k = 0; k + 1 + level < n; ++k)
-            row[k] = (1 - share) * row[k] + share * row[k + 1];
-    }
-}
 
 /// Values of the Bernstein polynomials at t, 0 to 1.
 std::vector<double> basis(int degree, double t) {
@@ -38,26 +24,18 @@ std::vector<double> basis(int degree, double t) {
     return row;
 }
 
-/// The half of a line of coefficients towards its end (`upper`) or its begin, in place.
-void halve(double* c, std::size_t count, std::size_t step, bool upper) {
-    for (std::size_t level = 1; level < count; ++level) {
-        if (upper)
-            for (std::size_t i = 0; i + level < count; ++i)
-                c[i * step] = (c[i * step] + c[(i + 1) * step]) / 2;
-        else
-            for (std::size_t i = count - 1; i >= level; --i)
-                c[i * step] = (c[(i - 1) * step] + c[i * step]) / 2;
-    }
-}
-
 BernsteinNet quadrant(const BernsteinNet& net, bool upper_u, bool upper_v) {
     BernsteinNet part;
     part.rows = net.rows;
     part.columns = net.columns;
     std::copy_n(net.c.begin(), net.rows * net.columns, part.c.begin());
-    for (std::size_t j = 0; j < net.columns; ++j) halve(&part.c[j], net.rows, net.columns, upper_u);
-    for (std::size_t i = 0; i < net.rows; ++i)
-        halve(&part.c[i * net.columns], net.columns, 1, upper_v);
+    for (const bool along_u : {true, false}) {
+        const auto lines = CoefficientLines::of_tensor(net.rows, net.columns, along_u);
+        if (along_u ? upper_u : upper_v)
+            keep_beyond(part.c.data(), lines, 0.5);
+        else
+            keep_before(part.c.data(), lines, 0.5);
+    }
     return part;
 }
 
@@ -147,19 +125,11 @@ double BernsteinField::operator()(const Vec2& uv) const {
 
 std::array<BernsteinField, 2> BernsteinField::parts(bool by_u, double share) const {
     BernsteinField first = *this, second = *this;
-    const int lines = by_u ? degree_v_ : degree_u_, last = by_u ? degree_u_ : degree_v_;
-    std::vector<double> row(static_cast<std::size_t>(last) + 1), lower(row.size());
-    for (int line = 0; line <= lines; ++line) {
-        const auto of = [&](int k) { return by_u ? index(k, line) : index(line, k); };
-        for (int k = 0; k <= last; ++k) row[static_cast<std::size_t>(k)] = coefficients_[of(k)];
-        cut(row, lower, share);
-        for (int k = 0; k <= last; ++k) {
-            first.coefficients_[of(k)] = lower[static_cast<std::size_t>(k)];
-            second.coefficients_[of(k)] = row[static_cast<std::size_t>(k)];
-        }
-    }
+    const auto lines = CoefficientLines::of_tensor(static_cast<std::size_t>(degree_u_) + 1,
+                                                   static_cast<std::size_t>(degree_v_) + 1, by_u);
+    split_lines(second.coefficients_.data(), first.coefficients_.data(), lines, share);
     // Means round by some units in the last place each, and errors mix as values do.
-    const double more = 3.0 * (last + 1) * unit_roundoff * magnitude();
+    const double more = 3.0 * static_cast<double>(lines.count) * unit_roundoff * magnitude();
     first.rounding_ += more, second.rounding_ += more;
     return {std::move(first), std::move(second)};
 }
@@ -187,11 +157,11 @@ BernsteinField operator*(const BernsteinField& a, const BernsteinField& b) {
                            std::vector<double>(static_cast<std::size_t>(degree_u + 1) *
                                                static_cast<std::size_t>(degree_v + 1)),
                            0);
-    const auto au = binomials(a.degree_u_), av = binomials(a.degree_v_),
-               bu = binomials(b.degree_u_), bv = binomials(b.degree_v_), u = binomials(degree_u),
-               v = binomials(degree_v);
-    const auto of = [](const std::vector<double>& row, int k) {
-        return row[static_cast<std::size_t>(k)];
+    const auto row = [](int degree) { return binomials(static_cast<std::size_t>(degree)); };
+    const auto au = row(a.degree_u_), av = row(a.degree_v_), bu = row(b.degree_u_),
+               bv = row(b.degree_v_), u = row(degree_u), v = row(degree_v);
+    const auto of = [](const std::vector<double>& numbers, int k) {
+        return numbers[static_cast<std::size_t>(k)];
     };
     for (int i = 0; i <= a.degree_u_; ++i)
         for (int j = 0; j <= a.degree_v_; ++j) {

@@ -1,6 +1,7 @@
 #include "keiko/geometry/trim/monotone_piece.h"
 
 #include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/geometry/bernstein/binomial.h"
 #include "keiko/geometry/bernstein/de_casteljau.h"
 
 #include <algorithm>
@@ -20,21 +21,15 @@ Vec2 projected(const Vec3& p) {
     return Vec2(p.x, p.y) / p.z;
 }
 
-double binomial(std::size_t n, std::size_t k) {
-    double value = 1;
-    for (std::size_t i = 1; i <= k; ++i)
-        value *= static_cast<double>(n - k + i) / static_cast<double>(i);
-    return value;
-}
-
 /// Bernstein coefficients of a * b.
 std::vector<double> product(const std::vector<double>& a, const std::vector<double>& b) {
     const std::size_t m = a.size() - 1, n = b.size() - 1;
+    const std::vector<double> of_a = binomials(m), of_b = binomials(n);
     std::vector<double> c(m + n + 1, 0.0);
     for (std::size_t i = 0; i <= m; ++i)
-        for (std::size_t j = 0; j <= n; ++j)
-            c[i + j] += binomial(m, i) * binomial(n, j) * a[i] * b[j];
-    for (std::size_t k = 0; k <= m + n; ++k) c[k] /= binomial(m + n, k);
+        for (std::size_t j = 0; j <= n; ++j) c[i + j] += of_a[i] * of_b[j] * a[i] * b[j];
+    const std::vector<double> of_product = binomials(m + n);
+    for (std::size_t k = 0; k <= m + n; ++k) c[k] /= of_product[k];
     return c;
 }
 
@@ -91,11 +86,7 @@ MonotonePiece::MonotonePiece(std::vector<Vec3> points, std::uint32_t curve, doub
       end_(end) {
     box_.extend(first_);
     box_.extend(last_);
-    double choose = 1;
-    for (std::size_t i = 0; i < points_.size(); ++i) {
-        if (i > 0) choose *= static_cast<double>(points_.size() - i) / static_cast<double>(i);
-        binomials_.push_back(choose);
-    }
+    binomials_ = binomials(points_.size() - 1);
     find_strip();
     find_bend();
 }

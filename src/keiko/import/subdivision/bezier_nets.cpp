@@ -1,3 +1,5 @@
+#include "keiko/geometry/bernstein/binomial.h"
+#include "keiko/geometry/bernstein/de_casteljau.h"
 #include "keiko/import/subdivision/limit_patches.h"
 
 #include <algorithm>
@@ -97,11 +99,10 @@ BezierNet cut(const BezierNet& whole, const CreaseFrame& frame, double begin) {
             const std::size_t r = frame.backward ? 3 - row : row;
             return frame.across_u ? at(r, k) : at(k, r);
         };
-        std::array<Vec3, 4> p{whole[index(0)], whole[index(1)], whole[index(2)], whole[index(3)]};
-        for (std::size_t level = 1; level < 4; ++level)
-            for (std::size_t i = 0; i + level < 4; ++i)
-                p[i] = p[i] * (1 - begin) + p[i + 1] * begin;
-        for (std::size_t i = 0; i < 4; ++i) result[index(i)] = p[i];
+        const std::array<Vec3, 4> row{whole[index(0)], whole[index(1)], whole[index(2)],
+                                      whole[index(3)]};
+        const std::array<Vec3, 4> beyond = bernstein_parts(row, begin)[1];
+        for (std::size_t i = 0; i < 4; ++i) result[index(i)] = beyond[i];
     }
     return result;
 }
@@ -113,20 +114,16 @@ constexpr int most = 4;
 using Matrix = std::array<std::array<double, most + 1>, most + 1>;
 using Samples = std::array<std::array<Vec3, most + 1>, most + 1>;
 
-double binomial(int n, int k) {
-    double value = 1;
-    for (int i = 0; i < k; ++i) value = value * (n - i) / (i + 1);
-    return value;
-}
-
 /// matrix[a][i]: Bernstein coefficient i of C(n u, a).
 Matrix bernstein_of_newton(int n) {
     Matrix result{};
     std::array<double, most + 1> monomials{1};
+    const std::vector<double> of_n = binomials(static_cast<std::size_t>(n));
     for (int a = 0; a <= n; ++a) {
-        for (int i = 0; i <= n; ++i)
-            for (int k = 0; k <= i; ++k)
-                result[a][i] += monomials[k] * binomial(i, k) / binomial(n, k);
+        for (int i = 0; i <= n; ++i) {
+            const std::vector<double> of_i = binomials(static_cast<std::size_t>(i));
+            for (int k = 0; k <= i; ++k) result[a][i] += monomials[k] * of_i[k] / of_n[k];
+        }
         // C(n u, a + 1) = C(n u, a) (n u - a) / (a + 1)
         for (int k = n; k >= 0; --k)
             monomials[k] = ((k > 0 ? n * monomials[k - 1] : 0) - a * monomials[k]) / (a + 1);

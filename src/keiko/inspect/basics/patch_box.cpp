@@ -1,5 +1,7 @@
 #include "keiko/inspect/basics/patch_box.h"
 
+#include "keiko/geometry/bernstein/coefficient_lines.h"
+
 #include <algorithm>
 
 namespace keiko {
@@ -16,17 +18,6 @@ double largest(const std::vector<Vec4>& points, int axis) {
     return size;
 }
 
-/// One row of control points cut at a share of its range.
-void cut(std::vector<Vec4>& lower, std::vector<Vec4>& upper, double share) {
-    const std::size_t n = lower.size();
-    upper[n - 1] = lower[n - 1];
-    for (std::size_t level = 1; level < n; ++level) {
-        for (std::size_t i = n - 1; i >= level; --i)
-            lower[i] = lower[i - 1] * (1 - share) + lower[i] * share;
-        upper[n - 1 - level] = lower[n - 1];
-    }
-}
-
 } // namespace
 
 PatchBox::PatchBox(const BezierPatchView& patch)
@@ -38,24 +29,9 @@ PatchBox::PatchBox(const BezierPatchView& patch)
 std::array<PatchBox, 2> PatchBox::parts(bool by_u, double share) const {
     const auto rows = static_cast<std::size_t>(degree_u_) + 1;
     const auto columns = static_cast<std::size_t>(degree_v_) + 1;
-    const std::size_t count = by_u ? columns : rows, length = by_u ? rows : columns;
-    std::vector<Vec4> first(points_.size()), second(points_.size());
-    std::vector<Vec4> lower(length), upper(length);
-    for (std::size_t line = 0; line < count; ++line) {
-        const auto index = [&](std::size_t k) {
-            return by_u ? k * columns + line : line * columns + k;
-        };
-        for (std::size_t k = 0; k < length; ++k) lower[k] = points_[index(k)];
-        // cut() leaves the upper half in `upper` and turns `lower` into the last averages; the
-        // lower half is the same cut from the other end.
-        std::vector<Vec4> reversed(lower.rbegin(), lower.rend()), mirrored(length);
-        cut(lower, upper, share);
-        cut(reversed, mirrored, 1 - share);
-        for (std::size_t k = 0; k < length; ++k) {
-            first[index(k)] = mirrored[length - 1 - k];
-            second[index(k)] = upper[k];
-        }
-    }
+    std::vector<Vec4> first = points_, second = points_;
+    split_lines(second.data(), first.data(), CoefficientLines::of_tensor(rows, columns, by_u),
+                share);
     const Vec2 at = uv_.lower + uv_.extent() * share;
     Box2 low = uv_, high = uv_;
     (by_u ? low.upper.x : low.upper.y) = by_u ? at.x : at.y;

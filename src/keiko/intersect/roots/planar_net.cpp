@@ -1,6 +1,7 @@
 #include "keiko/intersect/roots/planar_net.h"
 
 #include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/geometry/bernstein/coefficient_lines.h"
 
 #include <algorithm>
 #include <array>
@@ -10,24 +11,6 @@
 namespace keiko {
 
 namespace {
-
-/// `lines` Bezier polynomials side by side, coefficient i of line k at c[i * step + k * stride]:
-/// cut down to [a, b], in place.
-void restrict_lines(double* c, std::size_t count, std::size_t step, std::size_t lines,
-                    std::size_t stride, double a, double b) {
-    const auto blend = [&](std::size_t to, std::size_t from, std::size_t with, double t) {
-        for (std::size_t k = 0; k < lines; ++k) {
-            const std::size_t line = k * stride;
-            c[to * step + line] = (1 - t) * c[from * step + line] + t * c[with * step + line];
-        }
-    };
-    if (b != 1)
-        for (std::size_t level = 1; level < count; ++level)
-            for (std::size_t i = count - 1; i >= level; --i) blend(i, i - 1, i, b);
-    if (a != 0)
-        for (std::size_t level = 1; level < count; ++level)
-            for (std::size_t i = 0; i + level < count; ++i) blend(i, i, i + 1, a / b);
-}
 
 /// Values and first derivatives of the Bernstein polynomials, without the cost of higher ones.
 struct Basis {
@@ -61,8 +44,10 @@ PlanarNet restricted(const PlanarNet& net, const Box2& box) {
     std::copy_n(net.f.begin(), net.size(), part.f.begin());
     std::copy_n(net.g.begin(), net.size(), part.g.begin());
     for (double* c : {part.f.data(), part.g.data()}) {
-        restrict_lines(c, rows, columns, columns, 1, box.lower.x, box.upper.x);
-        restrict_lines(c, columns, 1, rows, columns, box.lower.y, box.upper.y);
+        restrict_lines(c, CoefficientLines::of_tensor(rows, columns, true), box.lower.x,
+                       box.upper.x);
+        restrict_lines(c, CoefficientLines::of_tensor(rows, columns, false), box.lower.y,
+                       box.upper.y);
     }
     return part;
 }

@@ -1,5 +1,6 @@
 #include "keiko/visibility/nets/scalar_net.h"
 
+#include "keiko/geometry/bernstein/coefficient_lines.h"
 #include "keiko/math/interval.h"
 
 #include <cmath>
@@ -8,25 +9,9 @@ namespace keiko {
 
 namespace {
 
-/// Cuts polynomials of `count` coefficients down to [a, b], in place, by two de Casteljau splits;
-/// `blend(to, with, t)` moves coefficients towards others.
-template <class Blend>
-void cut_down(std::size_t count, double a, double b, const Blend& blend) {
-    if (b != 1)
-        for (std::size_t level = 1; level < count; ++level)
-            for (std::size_t i = count - 1; i >= level; --i) blend(i, i - 1, 1 - b);
-    if (a != 0)
-        for (std::size_t level = 1; level < count; ++level)
-            for (std::size_t i = 0; i + level < count; ++i) blend(i, i + 1, a / b);
-}
-
-/// All columns at once, so that they run side by side.
-void restrict_rows(ScalarNet& net, double a, double b) {
-    cut_down(net.rows, a, b, [&](std::size_t to, std::size_t with, double t) {
-        double* const c = &net.at(to, 0);
-        const double* const d = &net.at(with, 0);
-        for (std::size_t k = 0; k < net.columns; ++k) c[k] += t * (d[k] - c[k]);
-    });
+/// Lines along u, which lie side by side.
+CoefficientLines lines_along_u(const ScalarNet& net) {
+    return CoefficientLines::of_tensor(net.rows, net.columns, true);
 }
 
 ScalarNet transposed(const ScalarNet& net) {
@@ -42,42 +27,21 @@ RunningRange range_of(const ScalarNet& net) {
     return all;
 }
 
-/// One de Casteljau split at the middle: `low` becomes the lower half's coefficients, `high` the
-/// upper's. Lines of `count` coefficients `step` apart, `lines` of them `apart` from each other.
-template <class T>
-void split_lines(std::vector<T>& low, std::vector<T>& high, std::size_t count, std::size_t step,
-                 std::size_t lines, std::size_t apart) {
-    high = low;
-    for (std::size_t level = 1; level < count; ++level)
-        for (std::size_t i = 0; i + level < count; ++i)
-            for (std::size_t k = 0; k < lines; ++k) {
-                T& c = high[i * step + k * apart];
-                c = (c + high[(i + 1) * step + k * apart]) * 0.5;
-                if (i == 0) low[level * step + k * apart] = c;
-            }
-}
-
-template <class T>
-void split(std::vector<T>& low, std::vector<T>& high, std::size_t rows, std::size_t columns,
-           unsigned axis) {
-    if (axis == 0)
-        split_lines(low, high, rows, columns, columns, 1);
-    else
-        split_lines(low, high, columns, 1, rows, columns);
-}
-
 } // namespace
 
 std::array<ScalarNet, 2> halved(const ScalarNet& net, unsigned axis) {
-    std::array<ScalarNet, 2> halves{net, ScalarNet{net.rows, net.columns, {}}};
-    split(halves[0].c, halves[1].c, net.rows, net.columns, axis);
+    std::array<ScalarNet, 2> halves{net, net};
+    split_lines(halves[1].c.data(), halves[0].c.data(),
+                CoefficientLines::of_tensor(net.rows, net.columns, axis == 0), 0.5);
     return halves;
 }
 
 std::array<HomogeneousNet, 2> halved(const HomogeneousNet& net, unsigned axis) {
-    std::array<HomogeneousNet, 2> halves{net, HomogeneousNet{net.degree_u, net.degree_v, {}}};
-    split(halves[0].points, halves[1].points, static_cast<std::size_t>(net.degree_u) + 1,
-          static_cast<std::size_t>(net.degree_v) + 1, axis);
+    std::array<HomogeneousNet, 2> halves{net, net};
+    const auto rows = static_cast<std::size_t>(net.degree_u) + 1;
+    const auto columns = static_cast<std::size_t>(net.degree_v) + 1;
+    split_lines(halves[1].points.data(), halves[0].points.data(),
+                CoefficientLines::of_tensor(rows, columns, axis == 0), 0.5);
     return halves;
 }
 
@@ -91,9 +55,9 @@ ScalarNet weighed(const HomogeneousNet& net, const Vec4& weights) {
 
 ScalarNet restricted(const ScalarNet& net, const Box2& box) {
     ScalarNet part = net;
-    restrict_rows(part, box.lower.x, box.upper.x);
+    restrict_lines(part.c.data(), lines_along_u(part), box.lower.x, box.upper.x);
     part = transposed(part);
-    restrict_rows(part, box.lower.y, box.upper.y);
+    restrict_lines(part.c.data(), lines_along_u(part), box.lower.y, box.upper.y);
     return transposed(part);
 }
 

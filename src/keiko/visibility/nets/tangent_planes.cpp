@@ -1,18 +1,13 @@
 #include "keiko/visibility/nets/tangent_planes.h"
 
+#include "keiko/geometry/bernstein/binomial.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace keiko {
 namespace {
-
-double binomial(std::size_t n, std::size_t k) {
-    double value = 1;
-    for (std::size_t i = 1; i <= k; ++i)
-        value *= static_cast<double>(n - k + i) / static_cast<double>(i);
-    return value;
-}
 
 /// A polynomial of two variables by its scaled Bernstein coefficients, c_ij C(m, i) C(n, j): a
 /// product is then a plain convolution [FaroukiRajan1988].
@@ -50,9 +45,10 @@ Scaled scaled(const HomogeneousNet& net, unsigned k) {
     const auto m = static_cast<std::size_t>(net.degree_u),
                n = static_cast<std::size_t>(net.degree_v);
     Scaled s(m + 1, n + 1);
+    const std::vector<double> by_u = binomials(m), by_v = binomials(n);
     for (std::size_t i = 0; i <= m; ++i)
         for (std::size_t j = 0; j <= n; ++j)
-            s.at(i, j) = net.points[i * (n + 1) + j][k] * binomial(m, i) * binomial(n, j);
+            s.at(i, j) = net.points[i * (n + 1) + j][k] * by_u[i] * by_v[j];
     return s;
 }
 
@@ -148,10 +144,11 @@ HomogeneousNet tangent_planes(const BezierPatchView& patch) {
     plane[3] += h[2] * normal[2];
 
     const std::size_t rows = plane[0].rows, columns = plane[0].columns;
+    const std::vector<double> of_u = binomials(rows - 1), of_v = binomials(columns - 1);
     HomogeneousNet net{static_cast<int>(rows) - 1, static_cast<int>(columns) - 1, {}};
     for (std::size_t i = 0; i < rows; ++i)
         for (std::size_t j = 0; j < columns; ++j) {
-            const double scale = 1 / (binomial(rows - 1, i) * binomial(columns - 1, j));
+            const double scale = 1 / (of_u[i] * of_v[j]);
             net.points.push_back(
                 Vec4(plane[0].at(i, j), plane[1].at(i, j), plane[2].at(i, j), -plane[3].at(i, j)) *
                 scale);
