@@ -62,6 +62,22 @@ TEST(PairSeams, SplitsALongBorderAtATJunction) {
     EXPECT_NEAR(length_of(model, seams[2].a), 50, 1e-11); // the two short ones between themselves
 }
 
+/// Two planes whose borders run along each other for `contact` mm at their ends, `gap` mm apart.
+std::vector<Seam> seams_of_contact(double contact, double gap) {
+    ModelBuilder builder;
+    builder.plane({0, gap, 0}, along_x, up_y);
+    builder.plane({100 - contact, 0, 0}, along_x, down_y);
+    return pair_seams(builder.build(), join);
+}
+
+TEST(PairSeams, JoinsBordersThatTouchForAFifthOfTheJoinDistance) {
+    for (const double contact : {0.11, 0.2, 0.35, 0.49, 0.51, 3.0})
+        EXPECT_EQ(seams_of_contact(contact, 0).size(), 1u) << contact;
+    EXPECT_TRUE(seams_of_contact(0.09, 0).empty());
+    EXPECT_TRUE(seams_of_contact(0.35, 0.02).empty()); // as near as borders come at any corner
+    EXPECT_EQ(seams_of_contact(0.51, 0.02).size(), 1u);
+}
+
 TEST(PairSeams, DoesNotTakeCrossingOrTouchingBordersForSeams) {
     for (const double degrees : {20.0, 45.0, 90.0}) {
         const double angle = degrees * std::numbers::pi / 180;

@@ -29,8 +29,13 @@ double between(const SeamOffer& offer, double x, const Counts& counts, const Val
 /// shorter piece's length: the ends of a tiny one would otherwise meet each other.
 constexpr double meeting = 0.02, meeting_in_lengths = 0.1;
 
+/// Borders this close touch as those of one vertex do. So short a contact of theirs is a seam,
+/// while borders farther apart come as near beside any corner. Shares of the join distance.
+constexpr double touching = 0.02, shortest_contact = 0.2;
+
 bool long_enough(double length, double widest, double join, bool fills_border) {
-    return slender(length, widest) && (length >= join || fills_border);
+    const bool touches = widest <= touching * join && length >= shortest_contact * join;
+    return slender(length, widest) && (length >= join || fills_border || touches);
 }
 
 bool meet(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {
