@@ -29,13 +29,16 @@ double between(const SeamOffer& offer, double x, const Counts& counts, const Val
 /// shorter piece's length: the ends of a tiny one would otherwise meet each other.
 constexpr double meeting = 0.02, meeting_in_lengths = 0.1;
 
-/// Borders this close touch as those of one vertex do. So short a contact of theirs is a seam,
-/// while borders farther apart come as near beside any corner. Shares of the join distance.
-constexpr double touching = 0.02, shortest_contact = 0.2;
-
 bool long_enough(double length, double widest, double join, bool fills_border) {
-    const bool touches = widest <= touching * join && length >= shortest_contact * join;
-    return slender(length, widest) && (length >= join || fills_border || touches);
+    return slender(length, widest) && (length >= join || fills_border);
+}
+
+/// True for a short contact of two faces whose borders touch as those of one vertex do. Borders
+/// farther apart come as near beside any corner, and those of one face in the hooks of its trims.
+bool touches(const SeamPiece& piece, double join) {
+    constexpr double touching = 0.02, shortest = 0.2; // shares of the join distance
+    return !piece.is_of_one_face() && slender(piece.length, piece.widest) &&
+           piece.widest <= touching * join && piece.length >= shortest * join;
 }
 
 bool meet(const SeamPiece::Tip& x, const SeamPiece::Tip& y, double near) {
@@ -181,7 +184,7 @@ double width_at(const SeamOffer& offer, double x) {
 std::vector<bool> seams_among(std::span<const SeamPiece> pieces, double join) {
     std::vector<bool> seams;
     for (const SeamPiece& p : pieces)
-        seams.push_back(long_enough(p.length, p.widest, join, p.fills_border));
+        seams.push_back(long_enough(p.length, p.widest, join, p.fills_border) || touches(p, join));
     JoinedScraps joined(pieces, seams, join);
     std::vector<bool> all = seams;
     for (std::size_t i = 0; i < pieces.size(); ++i) all[i] = seams[i] || joined.is_seam(i);

@@ -98,11 +98,11 @@ struct SeamPiece {
 };
 
 /// Seams among the pieces, one flag a piece. A seam is longer than it is wide, and longer than
-/// `join` mm or as long as a whole border; borders that touch need a fifth of `join`. A scrap is a
-/// seam together with those that continue it at its ends, of the same faces or of the next ones. It
-/// also is one where it fills the hole between two seams of its faces. The result thus does not
-/// depend on how a border is cut into curves, nor on its teeth. Where a border turns back, as in
-/// the hooks of careless trims, nothing continues it.
+/// `join` mm or as long as a whole border; borders of two faces that touch need a fifth of `join`.
+/// A scrap is a seam together with those that continue it at its ends, of the same faces or of the
+/// next ones. It also is one where it fills the hole between two seams of its faces. The result
+/// thus does not depend on how a border is cut into curves, nor on its teeth. Where a border turns
+/// back, as in the hooks of careless trims, nothing continues it.
 std::vector<bool> seams_among(std::span<const SeamPiece> pieces, double join);
 
 } // namespace keiko
