@@ -105,13 +105,17 @@ Box2 root_box(const Vec2& uv, const Vec2& error) {
 
 } // namespace
 
+void SurfaceInteraction::announce(const TracedModel& model, std::uint32_t sub_patch) {
+    const SubPatchSet& sub_patches = model.sub_patches;
+    const PackedSubPatch& hot = model.hot[sub_patch];
+    prefetch(std::span(&sub_patches.sub_patches[model.placed[sub_patch].sub_patch], 1));
+    prefetch(std::span(&sub_patches.points[hot.polynomial], hot.coefficients()));
+}
+
 void SurfaceInteraction::announce(const Crossing& crossing) {
     if (crossing.sub_patch == announced_) return;
     announced_ = crossing.sub_patch;
-    const SubPatchSet& sub_patches = model_.sub_patches;
-    const PackedSubPatch& hot = model_.hot[crossing.sub_patch];
-    prefetch(std::span(&sub_patches.sub_patches[model_.placed[crossing.sub_patch].sub_patch], 1));
-    prefetch(std::span(&sub_patches.points[hot.polynomial], hot.coefficients()));
+    announce(model_, crossing.sub_patch);
 }
 
 void SurfaceInteraction::add(const Crossing& crossing, Hit& hit) {
@@ -164,6 +168,13 @@ void SurfaceInteraction::ask(const Crossing& c, std::size_t lane) {
     for (unsigned k = 0; k < 3; ++k) block_.center[k][lane] = sub_patch.center[k];
     block_.to_world[lane] = placement.identity ? nullptr : &placement.to_world;
     block_.error_u[lane] = error.x, block_.error_v[lane] = error.y;
+}
+
+void SurfaceInteraction::write_whole(const Crossing& crossing, Hit& hit) {
+    block_.count = 1;
+    ask(crossing, 0);
+    kernels_.evaluate_hits(block_);
+    write(crossing, 0, hit);
 }
 
 void SurfaceInteraction::write_face(const Crossing& c, Hit& hit) const {
@@ -225,9 +236,7 @@ double SurfaceInteraction::position_bound(std::size_t lane, const SubPatch& sub_
 Hit evaluated(const TracedModel& model, const SubPatchKernels& kernels, const Crossing& crossing,
               bool second_derivatives) {
     Hit hit;
-    SurfaceInteraction evaluation(model, kernels, second_derivatives);
-    evaluation.add(crossing, hit);
-    evaluation.finish();
+    SurfaceInteraction(model, kernels, second_derivatives).write_whole(crossing, hit);
     return hit;
 }
 

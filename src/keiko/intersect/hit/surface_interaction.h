@@ -38,12 +38,16 @@ public:
                        bool second_derivatives)
         : model_(model), kernels_(kernels), second_derivatives_(second_derivatives) {}
 
+    /// Fetches what will be read of a crossing on a sub-patch, by number.
+    static void announce(const TracedModel& model, std::uint32_t sub_patch);
     /// Fetches what add() will read of a crossing that soon follows.
     void announce(const Crossing& crossing);
     /// `hit` is written at the latest by finish(); both must stay where they are until then.
     void add(const Crossing& crossing, Hit& hit);
     /// Writes the hits that still wait for others beside them.
     void finish();
+    /// Writes a hit at once, by itself.
+    void write_whole(const Crossing& crossing, Hit& hit);
     /// Writes what HitDetail::face names, and nothing else.
     void write_face(const Crossing& crossing, Hit& hit) const;
 

@@ -16,8 +16,9 @@ HWY_BEFORE_NAMESPACE();
 namespace keiko::HWY_NAMESPACE {
 
 /// HomogeneousJet, a vector of hits wide: in `at`, value, du, dv, duu, duv and dvv.
+template <class D>
 struct HomogeneousJets {
-    static constexpr std::size_t lanes = hn::MaxLanes(Wide()); ///< hits side by side
+    static constexpr std::size_t lanes = hn::MaxLanes(D()); ///< hits side by side
 
     alignas(64) std::array<std::array<std::array<double, lanes>, 4>, 6> at; ///< by component
 
@@ -32,17 +33,15 @@ struct HomogeneousJets {
 
 /// The sums of jet_at() of hits on one sub-patch, side by side, for `count` components from `first`
 /// on. Keeps its order of products and sums, since a hit has the same bits in any company.
-template <std::size_t first, std::size_t count>
-void find_jets_on_sub_patch(const BezierPatchView& sub_patch, const BasisJet<Wide>& u,
-                            const BasisJet<Wide>& v, HomogeneousJets& jets) {
-    const Wide d;
-    using V = hn::Vec<Wide>;
+template <std::size_t first, std::size_t count, class D>
+void find_jets_on_sub_patch(const BezierPatchView& sub_patch, const BasisJet<D>& u,
+                            const BasisJet<D>& v, HomogeneousJets<D>& jets) {
+    const D d;
+    using V = hn::Vec<D>;
     using Some = std::array<V, count>;
     const auto rows = static_cast<std::size_t>(sub_patch.degree_u);
     const auto columns = static_cast<std::size_t>(sub_patch.degree_v);
-    const auto at = [&](const BasisJet<Wide>::Row& basis, std::size_t i) {
-        return hn::Load(d, basis[i].data());
-    };
+    const auto at = [&](const auto& basis, std::size_t i) { return hn::Load(d, basis[i].data()); };
     const auto add = [](const Some& a, V factor, Some& to) {
         for (std::size_t c = 0; c < count; ++c) to[c] = hn::MulAdd(a[c], factor, to[c]);
     };
@@ -73,9 +72,9 @@ void find_jets_on_sub_patch(const BezierPatchView& sub_patch, const BasisJet<Wid
 }
 
 /// Finds the jets of hits on one sub-patch; weights that are all the same are left out.
-void find_jets_on_sub_patch(const BezierPatchView& sub_patch, bool rational,
-                            const BasisJet<Wide>& u, const BasisJet<Wide>& v,
-                            HomogeneousJets& jets) {
+template <class D>
+void find_jets_on_sub_patch(const BezierPatchView& sub_patch, bool rational, const BasisJet<D>& u,
+                            const BasisJet<D>& v, HomogeneousJets<D>& jets) {
     if (!rational) return find_jets_on_sub_patch<0, 3>(sub_patch, u, v, jets);
     // Half of the components at a time fill the registers.
     find_jets_on_sub_patch<0, 2>(sub_patch, u, v, jets);
@@ -96,18 +95,18 @@ bool are_many_on_sub_patch(const HitPacket& hits, std::size_t lane, LaneMask wan
 
 /// The control points' sums, of hits on several sub-patches one after the other; the bases of
 /// sub-patches of the same degrees side by side.
-HomogeneousJets homogeneous_jets(const HitPacket& hits, std::size_t lane, LaneMask wanted) {
-    const Wide d;
-    HomogeneousJets jets;
+template <class D>
+HomogeneousJets<D> homogeneous_jets(D d, const HitPacket& hits, std::size_t lane, LaneMask wanted) {
+    HomogeneousJets<D> jets;
     const bool one_sub_patch = are_many_on_sub_patch(hits, lane, wanted);
     if (!one_sub_patch) jets.at = {}; // numbers in lanes that no one wants, too
     while (wanted != 0) {
         const BezierPatchView& shape =
             hits.sub_patch[lane + static_cast<std::size_t>(std::countr_zero(wanted))];
-        const BasisJet<Wide> u(static_cast<std::size_t>(shape.degree_u),
-                               hn::Load(d, hits.u.data() + lane));
-        const BasisJet<Wide> v(static_cast<std::size_t>(shape.degree_v),
-                               hn::Load(d, hits.v.data() + lane));
+        const BasisJet<D> u(static_cast<std::size_t>(shape.degree_u),
+                            hn::Load(d, hits.u.data() + lane));
+        const BasisJet<D> v(static_cast<std::size_t>(shape.degree_v),
+                            hn::Load(d, hits.v.data() + lane));
         if (one_sub_patch) {
             find_jets_on_sub_patch(shape, hits.weight[lane] == 0, u, v, jets);
             return jets;
@@ -133,7 +132,7 @@ struct SpaceJet {
 /// Lanes of `projected` in surface_interaction.h: by the quotient rule where weights differ, for
 /// which `weight` is 0.
 template <class D>
-SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets& jets, hn::Vec<D> weight) {
+SpaceJet<hn::Vec<D>> projected(D d, const HomogeneousJets<D>& jets, hn::Vec<D> weight) {
     using V = hn::Vec<D>;
     const auto get = [&](std::size_t k, std::size_t c) {
         return hn::Load(d, jets.at[k][c].data());
@@ -178,11 +177,11 @@ void place(HitPacket& hits) {
 }
 
 /// The surface in its part, by patch parameters.
-void evaluate_in_part(HitPacket& hits, std::size_t lane) {
-    const Wide d;
-    using V = hn::Vec<Wide>;
+template <class D>
+void evaluate_in_part(D d, HitPacket& hits, std::size_t lane) {
+    using V = hn::Vec<D>;
     const std::size_t count = std::min(hits.count - lane, hn::Lanes(d));
-    const HomogeneousJets jets = homogeneous_jets(hits, lane, (LaneMask{1} << count) - 1);
+    const HomogeneousJets<D> jets = homogeneous_jets(d, hits, lane, (LaneMask{1} << count) - 1);
     const V weight =
         hn::IfThenElse(hn::FirstN(d, count), hn::Load(d, hits.weight.data() + lane), hn::Set(d, 1));
     const SpaceJet<V> s = projected(d, jets, weight);
@@ -198,9 +197,9 @@ void evaluate_in_part(HitPacket& hits, std::size_t lane) {
 
 /// Normals, and how far a small step in parameters moves the point: the second order counted
 /// twice, which covers what follows it.
-void finish(HitPacket& hits, std::size_t lane) {
-    const Wide d;
-    using V = hn::Vec<Wide>;
+template <class D>
+void finish(D d, HitPacket& hits, std::size_t lane) {
+    using V = hn::Vec<D>;
     const Space<V> du = load(d, hits.du, lane), dv = load(d, hits.dv, lane);
     const Space<V> across = cross(du, dv);
     const V area2 = square(across), u2 = square(du), v2 = square(dv);
@@ -227,13 +226,23 @@ void finish(HitPacket& hits, std::size_t lane) {
     hn::Store(away, d, hits.away.data() + lane);
 }
 
+/// Fills in a packet by vectors as wide as `d`.
+template <class D>
+void evaluate_by(D d, HitPacket& hits) {
+    const std::size_t width = hn::Lanes(d);
+    hits.plain = 0;
+    for (std::size_t lane = 0; lane < hits.count; lane += width) evaluate_in_part(d, hits, lane);
+    place(hits);
+    for (std::size_t lane = 0; lane < hits.count; lane += width) finish(d, hits, lane);
+}
+
 /// Fills in what HitPacket says is there, for its first `count` lanes.
 void evaluate_hits(HitPacket& hits) {
-    const std::size_t width = hn::Lanes(Wide());
-    hits.plain = 0;
-    for (std::size_t lane = 0; lane < hits.count; lane += width) evaluate_in_part(hits, lane);
-    place(hits);
-    for (std::size_t lane = 0; lane < hits.count; lane += width) finish(hits, lane);
+    // The bases of a single hit in a wide vector would be mostly memory that nobody asks for.
+    if (hits.count == 1)
+        evaluate_by(One(), hits);
+    else
+        evaluate_by(Wide(), hits);
 }
 
 } // namespace keiko::HWY_NAMESPACE

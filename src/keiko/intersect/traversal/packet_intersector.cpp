@@ -1,5 +1,6 @@
 #include "keiko/intersect/traversal/packet_intersector.h"
 
+#include "keiko/intersect/hit/surface_interaction.h"
 #include "keiko/intersect/kernels/prefetch.h"
 #include "keiko/intersect/traversal/bezier_clipping.h"
 #include "keiko/intersect/traversal/hit_filter.h"
@@ -12,6 +13,12 @@ namespace keiko {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+
+constexpr RayPacket::Lanes<double> always = [] {
+    RayPacket::Lanes<double> lanes{};
+    lanes.fill(infinity);
+    return lanes;
+}();
 
 constexpr LaneMask bit(std::size_t lane) {
     return LaneMask{1} << lane;
@@ -68,8 +75,6 @@ void PacketIntersector::run(const SearchScene& scene, Goal goal, std::span<const
     if (block_.active == 0) return;
     pending_.clear();
     scene.boxes.trace(block_, *this);
-    RayPacket::Lanes<double> always;
-    always.fill(infinity);
     resolve(block_.active, always);
 }
 
@@ -190,6 +195,8 @@ void PacketIntersector::find_single_roots(LaneMask lanes) {
     RayPacket::Lanes<const PackedSubPatch*> sub_patches;
     bool one_sub_patch = true;
     const PackedSubPatch& first = model.hot[boxes_[first_lane(lanes)]];
+    // Several hits are announced when their turn comes; that of a single ray comes at once.
+    if (block_.count == 1) SurfaceInteraction::announce(model, boxes_[first_lane(lanes)]);
     for_lanes(lanes, [&](std::size_t lane) {
         sub_patches[lane] = &model.hot[boxes_[lane]];
         one_sub_patch = one_sub_patch && sub_patches[lane] == &first;

@@ -27,21 +27,18 @@ public:
     /// Forgets every candidate of every lane.
     void clear() {
         entries_.clear();
-        first_.fill(none);
-        doubtful_until_.fill(infinity);
         lanes_ = doubtful_ = 0;
     }
     /// Forgets the candidates of one lane.
     void clear(std::size_t lane) {
-        first_[lane] = none;
-        lanes_ &= ~(LaneMask{1} << lane);
-        find_doubtful(lane);
+        lanes_ &= ~bit(lane);
+        doubtful_ &= ~bit(lane);
     }
     /// Puts a sub-patch off for one lane.
     void add(std::size_t lane, const CandidatePatch& sub_patch) {
-        entries_.push_back({sub_patch, first_[lane]});
+        entries_.push_back({sub_patch, (lanes_ & bit(lane)) != 0 ? first_[lane] : none});
         first_[lane] = static_cast<std::uint32_t>(entries_.size() - 1);
-        lanes_ |= LaneMask{1} << lane;
+        lanes_ |= bit(lane);
         if (sub_patch.doubtful) note_doubtful(lane, sub_patch.farthest);
     }
     /// Takes out the nearest sub-patch that begins before `high` and ends before `until`; nothing
@@ -52,12 +49,13 @@ public:
     LaneMask lanes() const { return lanes_; }
     /// Lanes that have a doubtful candidate.
     LaneMask doubtful() const { return doubtful_; }
-    /// Least distance, mm, at which a doubtful candidate of the lane ends; infinite without one.
+    /// Least distance, mm, at which a doubtful candidate of a lane of doubtful() ends.
     double doubtful_until(std::size_t lane) const { return doubtful_until_[lane]; }
 
 private:
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
+
+    static constexpr LaneMask bit(std::size_t lane) { return LaneMask{1} << lane; }
 
     struct Entry {
         CandidatePatch sub_patch;
@@ -65,19 +63,19 @@ private:
     };
 
     void note_doubtful(std::size_t lane, double farthest) {
-        doubtful_until_[lane] = std::min(doubtful_until_[lane], farthest);
-        doubtful_ |= LaneMask{1} << lane;
+        const bool first = (doubtful_ & bit(lane)) == 0;
+        doubtful_until_[lane] = first ? farthest : std::min(doubtful_until_[lane], farthest);
+        doubtful_ |= bit(lane);
     }
     void find_doubtful(std::size_t lane) {
-        doubtful_until_[lane] = infinity;
-        doubtful_ &= ~(LaneMask{1} << lane);
+        doubtful_ &= ~bit(lane);
         for (std::uint32_t i = first_[lane]; i != none; i = entries_[i].next)
             if (entries_[i].sub_patch.doubtful) note_doubtful(lane, entries_[i].sub_patch.farthest);
     }
 
     std::vector<Entry> entries_;
-    RayPacket::Lanes<std::uint32_t> first_{}; ///< of the list, into entries_
-    RayPacket::Lanes<double> doubtful_until_{};
+    RayPacket::Lanes<std::uint32_t> first_{};   ///< of the list, into entries_, for `lanes_`
+    RayPacket::Lanes<double> doubtful_until_{}; ///< for `doubtful_`
     LaneMask lanes_ = 0, doubtful_ = 0;
 };
 
@@ -100,7 +98,7 @@ inline std::optional<CandidatePatch> CandidateQueue::take(std::size_t lane, doub
         taken = entries_[*best].sub_patch;
         *best = entries_[*best].next;
     }
-    if (first_[lane] == none) lanes_ &= ~(LaneMask{1} << lane);
+    if (first_[lane] == none) lanes_ &= ~bit(lane);
     if ((doubtful_ >> lane & 1) != 0) find_doubtful(lane);
     return taken;
 }

@@ -104,9 +104,10 @@ Tracer::Tracer(Tracer&&) noexcept = default;
 Tracer& Tracer::operator=(Tracer&&) noexcept = default;
 
 std::optional<Hit> Tracer::hit_of(const Ray& ray, const Crossing& crossing) const {
-    if (!crossing) return std::nullopt;
-    if (!has(crossing.flags, HitFlags::seam)) return scene_->evaluate(crossing);
-    return first_of(all(ray));
+    if (has(crossing.flags, HitFlags::seam)) return first_of(all(ray));
+    std::optional<Hit> hit;
+    if (crossing) scene_->evaluation().write_whole(crossing, hit.emplace());
+    return hit;
 }
 
 std::optional<Hit> Tracer::nearest(const Ray& ray) const {
