@@ -2,6 +2,7 @@
 
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/light/tubes/plane_image.h"
+#include "keiko/math/convex_clip.h"
 
 #include <algorithm>
 #include <array>
@@ -63,17 +64,9 @@ public:
     /// The part where `side` is not negative.
     ClippedPixel where(const PixelLinear& side) const {
         ClippedPixel cut{Nothing()};
-        if (count_ == 0) return cut;
-        const double first = side.at(corners_[0]);
-        double from = first;
-        for (std::size_t i = 0; i < count_; ++i) {
-            const bool closes = i + 1 == count_;
-            const Vec2 &a = corners_[i], &b = corners_[closes ? 0 : i + 1];
-            const double to = closes ? first : side.at(b);
-            if (from >= 0) cut.add(a);
-            if ((from >= 0) != (to >= 0)) cut.add(a + (b - a) * (from / (from - to)));
-            from = to;
-        }
+        clip_convex(
+            std::span(begin(), count_), [&](std::size_t i) { return side.at(corners_[i]); },
+            [&](const Vec2& corner) { cut.add(corner); });
         return cut;
     }
     /// True if `side` is not negative in all of it; true for an empty part.

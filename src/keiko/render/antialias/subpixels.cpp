@@ -1,5 +1,7 @@
 #include "keiko/render/antialias/subpixels.h"
 
+#include "keiko/math/convex_clip.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -8,25 +10,13 @@
 namespace keiko {
 namespace {
 
-/// Part of a convex polygon where a linear function, with these values at its corners, is not
-/// negative.
-Polygon clipped(std::span<const Vec2> corners, std::span<const double> values) {
-    Polygon left;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const std::size_t next = (i + 1) % corners.size();
-        const double a = values[i], b = values[next];
-        if (a >= 0) left.push_back(corners[i]);
-        if ((a >= 0) != (b >= 0))
-            left.push_back(corners[i] + (corners[next] - corners[i]) * (a / (a - b)));
-    }
-    return left;
-}
-
-/// Part of a polygon beyond a line across a direction.
+/// Part of a convex polygon beyond a line across a direction.
 Polygon beyond(std::span<const Vec2> corners, const Vec2& across, double line) {
-    InplaceVector<double, 24> off;
-    for (const Vec2& corner : corners) off.push_back(across.dot(corner) - line);
-    return clipped(corners, off);
+    Polygon left;
+    clip_convex(
+        corners, [&](std::size_t i) { return across.dot(corners[i]) - line; },
+        [&](const Vec2& corner) { left.push_back(corner); });
+    return left;
 }
 
 } // namespace
