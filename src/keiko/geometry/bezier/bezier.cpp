@@ -64,9 +64,11 @@ Vec3 quotient(const HomogeneousDerivatives& h, const SurfaceDerivatives& known, 
     return value / h[0][0].w;
 }
 
+/// Degree of by far the most patches and curves: rows of 8 are cleared in no time.
+constexpr int common = 7;
+
 template <std::size_t order>
 SurfaceDerivatives derivatives(const BezierPatchView& patch, const Vec2& uv) {
-    constexpr int common = 7; // by far the most patches: rows of 8 are cleared in no time
     const HomogeneousDerivatives h =
         std::max(patch.degree_u, patch.degree_v) <= common
             ? homogeneous_derivatives<order, common + 1>(patch, uv)
@@ -78,16 +80,26 @@ SurfaceDerivatives derivatives(const BezierPatchView& patch, const Vec2& uv) {
     return result;
 }
 
-} // namespace
-
-std::array<Vec2, 4> evaluate(const BezierCurveView& curve, double t, int order) {
-    assert(order >= 0 && order <= 3);
-    const auto basis = bernstein_derivatives(curve.degree(), t, std::min(order, curve.degree()));
+/// `size`: more than the degree.
+template <std::size_t size>
+std::array<Vec3, 4> homogeneous_derivatives(const BezierCurveView& curve, double t, int order) {
+    const auto basis =
+        bernstein_rows<size>(static_cast<std::size_t>(curve.degree()), t,
+                             static_cast<std::size_t>(std::min(order, curve.degree())));
     std::array<Vec3, 4> h{};
     h.fill(Vec3(0));
     for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k)
         for (std::size_t i = 0; i < curve.points.size(); ++i) h[k] += curve.points[i] * basis[k][i];
+    return h;
+}
 
+} // namespace
+
+std::array<Vec2, 4> evaluate(const BezierCurveView& curve, double t, int order) {
+    assert(order >= 0 && order <= 3);
+    const std::array<Vec3, 4> h = curve.degree() <= common
+                                      ? homogeneous_derivatives<common + 1>(curve, t, order)
+                                      : homogeneous_derivatives<max_degree + 1>(curve, t, order);
     std::array<Vec2, 4> result{};
     result.fill(Vec2(0));
     for (std::size_t k = 0; k <= static_cast<std::size_t>(order); ++k) {
