@@ -100,7 +100,8 @@ class Pictures(KeikoTest):
 
     def test_other_looks_need_no_lamps_and_are_all_different(self):
         looks = ("lamps", "zebra", "isophote", "highlight", "curvature:gauss", "curvature:mean",
-                 "curvature:k1", "curvature:k2")
+                 "curvature:k1", "curvature:k2", "draft", "curvature:absolute", "curvature:section",
+                 "radius", "isoparms", "patches")
         pictures = [self.written("a.png", "--look", look) for look in looks]
         self.assertEqual(len(set(pictures)), len(looks))
         self.assertNotEqual(self.written("b.png", "--look", "curvature:gauss=1"), pictures[4])
@@ -115,6 +116,40 @@ class Pictures(KeikoTest):
                                  (("-o", "a.png", "--look", "zebra", "--rig", "auto"), "without --rig")):
             run = self.keiko("render", HOOD, *arguments, *SMALL)
             self.assertEqual(run.returncode, 2)
+            self.assertIn(words, run.stderr)
+
+    def test_looks_have_settings_of_their_own(self):
+        def look(*arguments: str) -> bytes:
+            return self.written("a.png", "--look", *arguments)
+
+        drafts = [look("draft", *more) for more in
+                  ((), ("--pull", "1,0,0"), ("--draft", "89"), ("--scale", "0:90"), ("--scale", "50%"))]
+        self.assertEqual(len(set(drafts)), len(drafts))
+        self.assertEqual(drafts[0], look("draft", "--pull", "0,0,7", "--draft", "3"))
+        self.assertEqual(look("curvature:k1"), look("curvature:k1", "--scale", "98%"))
+        self.assertEqual(look("curvature:k1=0.01"), look("curvature:k1", "--scale", "-0.01:0.01"))
+        self.assertNotEqual(look("curvature:section"), look("curvature:section", "--section", "1,0,0"))
+        self.assertEqual(len({look("below-radius", "--radius", radius) for radius in ("1", "900", "5000")}), 3)
+        self.assertNotEqual(look("radius"), look("radius", "--scale", "10:1000"))
+        for arguments, words in ((("--look", "draft", "--pull", "0,0,0"), "--pull: '0,0,0' is not a direction"),
+                                 (("--look", "draft", "--pull", "0,0"), "--pull: '0,0' is not a direction"),
+                                 (("--look", "draft", "--pull", "0,0,1e999"), "is not a direction"),
+                                 (("--look", "zebra", "--pull", "0,0,1"), "--pull: is for --look draft"),
+                                 (("--draft", "3"), "--draft: is for --look draft"),
+                                 (("--look", "draft", "--draft", "91"), "--draft"),
+                                 (("--look", "zebra", "--scale", "98%"), "--scale: is for a --look with"),
+                                 (("--look", "curvature:k1=1", "--scale", "98%"), "--scale: is for a --look"),
+                                 (("--look", "draft", "--scale", "3:3"), "neither MIN:MAX with"),
+                                 (("--look", "draft", "--scale", "0%"), "neither MIN:MAX with"),
+                                 (("--look", "draft", "--scale", "5%x"), "neither MIN:MAX with"),
+                                 (("--look", "below-radius"), "--look below-radius: needs --radius MM"),
+                                 (("--look", "radius", "--radius", "5"), "--radius: is for --look below-radius"),
+                                 (("--look", "radius", "--scale", "0:5"), "is not MIN:MAX with 0 < MIN"),
+                                 (("--look", "patches", "--scale", "9%"), "--scale: is for a --look with"),
+                                 (("--look", "draft", "--section", "1,0,0"), "--section: is for --look curv"),
+                                 (("--scale", "1:2"), "--scale: is for --false-color")):
+            run = self.keiko("render", HOOD, "-o", "a.png", *arguments, *SMALL)
+            self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1), run.stderr)
             self.assertIn(words, run.stderr)
 
     def test_frames_resume_where_files_and_options_are_the_same(self):

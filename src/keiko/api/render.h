@@ -7,3 +7,4 @@
 #include "keiko/render/shading/picture.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/open_scene.h"
+#include "keiko/workflow/section_curvature.h"

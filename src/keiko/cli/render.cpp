@@ -28,9 +28,13 @@ void render_look(const RenderArguments& arguments, const ChosenMode& chosen, con
                  const NamedView& view, const Job& job) {
     const LightRig rig =
         chosen.look == AnalysisMode::highlight ? rig_of(scene, arguments, view, job) : LightRig{};
-    const Film film =
-        render_view(scene, {}, view.camera, {.aovs = look_layers(), .max_depth = 0}, job);
-    write_png(arguments.output, analysis_picture(chosen.look, film, view.camera, rig, chosen.full));
+    const Film film = render_view(scene, {}, view.camera,
+                                  {.aovs = look_layers(chosen.look), .max_depth = 0}, job);
+    AnalysisOptions options = chosen.options;
+    if (chosen.look == AnalysisMode::section)
+        options.sections = section_curvatures(scene.seen(), view.camera, chosen.section, job);
+    options.ground = 0;
+    write_png(arguments.output, analysis_picture(chosen.look, film, view.camera, rig, options));
 }
 
 /// "picture.png" of frame 7 is "picture-0007.png".

@@ -7,7 +7,6 @@
 #include "keiko/cli/render_options.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <iomanip>
@@ -22,40 +21,13 @@ bool is_png(const std::filesystem::path& path) {
     return lower_case(path.extension().string()) == ".png";
 }
 
-std::vector<std::string> look_names() {
-    std::vector<std::string> names{"lamps"};
-    for (const AnalysisMode look : every_look()) names.emplace_back(name_of(look));
-    return names;
-}
-
-/// Mode of the name in "curvature:gauss=1e-4".
-AnalysisMode look_by_name(const std::string& name) {
-    for (const AnalysisMode look : every_look())
-        if (name_of(look) == name) return look;
-    const std::vector<std::string> names = look_names();
-    throw Error("", "--look",
-                "no look is called '" + name + "'; there are " + comma_list(names) +
-                    did_you_mean(name, names));
-}
-
-double full_curvature(AnalysisMode look, const std::string& text) {
-    double full = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, fault] = std::from_chars(text.data(), end, full);
-    if (!is_curvature(look) || fault != std::errc() || rest != end || !(full > 0) ||
-        !std::isfinite(full))
-        throw Error("", "--look",
-                    "'" + std::string(name_of(look)) + "=" + text +
-                        "' is not curvature:KIND=C with the curvature C > 0 of full colour");
-    return full;
-}
-
 } // namespace
 
 /// "MIN:MAX"
 FalseColorScale RenderArguments::scale() const {
     FalseColorScale scale;
-    if (scale_.empty()) return scale;
+    if (scale_.empty() || look()) return scale;
+    if (!false_color) throw Error("", "--scale", "is for --false-color, or a --look with a legend");
     int end = 0;
     if (std::sscanf(scale_.c_str(), "%lf:%lf%n", &scale.minimum, &scale.maximum, &end) != 2 ||
         static_cast<std::size_t>(end) != scale_.size() || !(scale.minimum > 0) ||
@@ -81,14 +53,6 @@ ToneMapping RenderArguments::mapping() const {
 TubeModel RenderArguments::tubes() const {
     if (penumbrae_ == "axis") return TubeModel::preview;
     return penumbrae_ == "exact" ? TubeModel::automatic : PictureOptions().tubes;
-}
-
-std::optional<ChosenMode> RenderArguments::look() const {
-    if (look_ == "lamps") return std::nullopt;
-    const std::size_t sign = std::min(look_.find('='), look_.size());
-    ChosenMode chosen{look_by_name(look_.substr(0, sign))};
-    if (sign < look_.size()) chosen.full = full_curvature(chosen.look, look_.substr(sign + 1));
-    return chosen;
 }
 
 /// "A:B"
@@ -139,10 +103,13 @@ std::string RenderArguments::key() const {
     settings << std::setprecision(17) << options.material << '\n'
              << options.clipping_only << options.shadows << false_color << iso_lines << '\n'
              << light_error << ' ' << edge_samples << '\n';
-    for (const std::string& text :
-         {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_, tone_, look_})
+    for (const std::string& text : {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_,
+                                    tone_, look_, pull_, section_})
         settings << text << '\n';
-    if (ev_) settings << *ev_;
+    for (const std::optional<double>& number : {ev_, draft_, radius_}) {
+        if (number) settings << *number;
+        settings << '\n';
+    }
     return input_key(inputs, "", options.load, settings.str());
 }
 

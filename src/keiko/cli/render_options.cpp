@@ -17,6 +17,7 @@ void RenderArguments::add_to(CLI::App& command) {
         ->check(not_empty());
     add_false_colors(command);
     add_display(command);
+    add_looks(command);
     add_frames(command);
 }
 
@@ -67,9 +68,12 @@ void RenderArguments::add_false_colors(CLI::App& command) {
         ->check(CLI::IsMember({"luminance", "illuminance"}))
         ->needs(flag)
         ->capture_default_str();
-    command.add_option("--scale", scale_, "MIN:MAX of false colours, cd/m2 or lx [1:10000]")
-        ->check(not_empty())
-        ->needs(flag);
+    command
+        .add_option("--scale", scale_,
+                    "of false colours MIN:MAX, cd/m2 or lx [1:10000]; of a --look with a legend "
+                    "MIN:MAX in its unit, or P%, what that share of the body's picture does not "
+                    "exceed, rounded up [98%]")
+        ->check(not_empty());
     command
         .add_flag("--iso-lines", iso_lines,
                   "lines of equal value at the values of the legend, with their numbers")
@@ -91,14 +95,31 @@ void RenderArguments::add_display(CLI::App& command) {
         command.add_option("--ev", ev_, "exposure value of a .png [99 % of the body below white]")
             ->check(number_between(-100, 100))
             ->excludes(false_colors));
+}
+
+void RenderArguments::add_looks(CLI::App& command) {
     command
         .add_option("--look", look_,
-                    "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), or "
-                    "curvature:gauss, :mean, :k1, :k2 by colour with a legend; curvature:gauss=C: "
-                    "colours are full at C")
+                    "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), "
+                    "isoparms, patches; or by colour with a legend draft, curvature:gauss, :mean, "
+                    ":k1, :k2, :absolute, :section, or radius; curvature:gauss=C: colours are full "
+                    "at C; or below-radius, in red")
         ->option_text("NAME")
-        ->excludes(false_colors)
+        ->excludes(command.get_option("--false-color"))
         ->capture_default_str();
+    command
+        .add_option("--pull", pull_, "of --look draft: X,Y,Z, where the tool is pulled off [0,0,1]")
+        ->check(not_empty());
+    command
+        .add_option("--draft", draft_,
+                    "of --look draft: degrees below which draft is too small [3]")
+        ->check(number_between(0, 90));
+    command
+        .add_option("--section", section_,
+                    "of --look curvature:section: X,Y,Z, normal of the parallel planes [0,1,0]")
+        ->check(not_empty());
+    command.add_option("--radius", radius_, "of --look below-radius: mm, which needs it")
+        ->check(number_between(1e-6, 1e6));
 }
 
 void RenderArguments::add_frames(CLI::App& command) {

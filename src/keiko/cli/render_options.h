@@ -9,12 +9,11 @@
 
 namespace keiko::cli {
 
-/// An analysis mode and its scale.
+/// An analysis mode and its settings.
 struct ChosenMode {
     AnalysisMode look = AnalysisMode::zebra; ///< the mode
-    /// Curvature at which colours are saturated, 1/mm or 1/mm2, above 0; nullopt: the picture's
-    /// default. Only of modes of curvature.
-    std::optional<double> full{};
+    AnalysisOptions options{};               ///< as given, else the defaults
+    Vec3 section{0, 1, 0};                   ///< normal of the planes of sections
 };
 
 /// Frames of an animation.
@@ -44,13 +43,13 @@ public:
     /// a place that cannot be written to.
     void require() const;
     /// Chosen analysis mode; nullopt for a picture under the lamps. Throws Error for an unknown
-    /// name.
+    /// name, for a setting of another mode, and for one out of range.
     std::optional<ChosenMode> look() const;
     /// Layers of an .exr, in the order given. Throws Error for an unknown name and for a repeated
     /// one.
     std::vector<Aov> aovs() const { return aovs_by_names(aovs_); }
     /// Scale of false colours, cd/m2 or lx; by default FalseColorScale(). Throws Error unless
-    /// 0 < minimum < maximum, both finite.
+    /// 0 < minimum < maximum, both finite, or if there are no false colours.
     FalseColorScale scale() const;
     /// Quantity of false colours, luminance by default.
     ShownQuantity quantity() const;
@@ -67,12 +66,15 @@ private:
     void add_light(CLI::App& command);
     void add_false_colors(CLI::App& command);
     void add_display(CLI::App& command);
+    void add_looks(CLI::App& command);
     void add_frames(CLI::App& command);
+    /// Settings of a mode. `full` is what follows its name: "=C" or nothing.
+    AnalysisOptions look_options(AnalysisMode look, const std::string& full) const;
     void require_look(const ChosenMode& look) const;
 
     std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
-                       tone_ = "linear", frames_;
-    std::optional<double> ev_;
+                       tone_ = "linear", frames_, pull_, section_;
+    std::optional<double> ev_, draft_, radius_;
     std::vector<const CLI::Option*> of_lamps_; ///< options that only pictures under the lamps use
     const CLI::Option* rig_ = nullptr;
 };

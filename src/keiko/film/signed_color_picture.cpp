@@ -1,6 +1,6 @@
 #include "keiko/film/signed_color_picture.h"
 
-#include "keiko/film/overlay.h"
+#include "keiko/film/color_legend.h"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,6 @@
 namespace keiko {
 namespace {
 
-constexpr int legend_width = 160, margin = 16, bar_width = 24; ///< pixels
-constexpr int least_height = 128;                              ///< for the legend to be readable
 const Rgb backdrop(0.07), far_color(1, 0, 1);
 
 void put(float* pixel, const Rgb& color) {
@@ -20,10 +18,17 @@ void put(float* pixel, const Rgb& color) {
     pixel[2] = static_cast<float>(color.b);
 }
 
-Rgb color_of(float value, float facing, double most) {
+/// Share of the colours' reach: 0 at 0, or at the end of the range that is nearest to it.
+double share_of(double value, const ValueRange& range) {
+    const double middle = std::clamp(0.0, range.low, range.high);
+    const double reach = value < middle ? middle - range.low : range.high - middle;
+    return reach > 0 ? (value - middle) / reach : 0;
+}
+
+Rgb color_of(float value, float facing, const ValueRange& range) {
     if (std::isnan(value)) return backdrop;
     const double shade = 0.55 + 0.45 * double{facing};
-    return (std::isinf(value) ? far_color : signed_color(double{value} / most)) * shade;
+    return (std::isinf(value) ? far_color : signed_color(share_of(double{value}, range))) * shade;
 }
 
 std::string number(double value) {
@@ -32,24 +37,17 @@ std::string number(double value) {
     return text.data();
 }
 
-void draw_legend(Image& picture, int left, double most, const std::string& unit) {
-    constexpr int letters = 2;
-    const int top = 3 * margin, bottom = picture.height - margin;
-    for (int y = top; y < bottom; ++y)
-        for (int x = left; x < left + bar_width; ++x)
-            put(picture.pixel(x, y), signed_color(1 - 2 * (y + 0.5 - top) / (bottom - top)));
-    Overlay overlay;
-    overlay.texts.push_back({.at = Vec2(left, margin / 2.0), .text = unit, .scale = letters});
-    for (const double share : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-        const double y = (top + bottom) / 2.0 - share * (bottom - top) / 2.0;
-        const double right = left + bar_width;
-        overlay.lines.push_back(
-            {.points = {Vec2(right, y), Vec2(right + 4, y)}, .color = Rgb(1), .width = 1});
-        overlay.texts.push_back({.at = Vec2(right + 7, y - text_size("0", letters).y / 2),
-                                 .text = number(share * most),
-                                 .scale = letters});
-    }
-    picture = with_overlay(std::move(picture), overlay);
+ColorLegend legend_of(const ValueRange& range, const std::string& unit) {
+    const auto [low, high] = range;
+    ColorLegend legend{
+        unit,
+        [=](double position) {
+            return signed_color(share_of(low + (high - low) * position, {low, high}));
+        },
+        {}};
+    for (const double position : {0.0, 1.0, 0.5, 0.25, 0.75})
+        legend.ticks.push_back({position, number(low + (high - low) * position)});
+    return legend;
 }
 
 } // namespace
@@ -63,17 +61,13 @@ Rgb signed_color(double share) {
     return stops[first] * (1 - part) + stops[first + 1] * part;
 }
 
-Image signed_color_picture(const Image& values, const Image& facing, double most,
+Image signed_color_picture(const Image& values, const Image& facing, const ValueRange& range,
                            const std::string& unit) {
-    Image picture(values.width + legend_width, std::max(values.height, least_height), 3);
+    Image picture(values.width, values.height, 3);
     for (int y = 0; y < picture.height; ++y)
-        for (int x = 0; x < picture.width; ++x) {
-            const bool inside = x < values.width && y < values.height;
-            put(picture.pixel(x, y),
-                inside ? color_of(*values.pixel(x, y), *facing.pixel(x, y), most) : Rgb(0));
-        }
-    draw_legend(picture, values.width + margin, most, unit);
-    return picture;
+        for (int x = 0; x < picture.width; ++x)
+            put(picture.pixel(x, y), color_of(*values.pixel(x, y), *facing.pixel(x, y), range));
+    return with_color_legend(picture, legend_of(range, unit));
 }
 
 double round_scale(double value) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/film/film.h"
+#include "keiko/film/value_range.h"
 
 namespace keiko {
 
@@ -8,9 +9,10 @@ namespace keiko {
 Rgb signed_color(double share);
 
 /// Display picture of signed values (1 channel) with a legend at its right: blue below, grey at,
-/// red above 0, full at +-`most`, in `unit`. Infinite values are magenta, what is no number is
-/// dark. `facing` (1 channel, 0 to 1) shades it, so that the form shows.
-Image signed_color_picture(const Image& values, const Image& facing, double most,
+/// red above 0, full at the ends of the range, in `unit`. A range on one side of 0 has the colours
+/// of that side. Infinite values are magenta, what is no number is dark. `facing` (1 channel, 0 to
+/// 1) shades it, so that the form shows.
+Image signed_color_picture(const Image& values, const Image& facing, const ValueRange& range,
                            const std::string& unit);
 
 /// The round number (1, 2 or 5 times a power of ten) at or above a positive value.

@@ -291,9 +291,8 @@ private:
     void draw_map(const Camera& camera, ComparedView& view, FolderContent& pngs, const Job& job) {
         const DeviationMap map = deviation_map(scenes_.after.tracer, camera, scenes_.feet_before,
                                                scenes_.deviation.reach, job);
-        const Image picture =
-            signed_color_picture(map.distance, map.facing,
-                                 map_scale(scenes_.deviation, options_.tolerance.deviation), "mm");
+        const double most = map_scale(scenes_.deviation, options_.tolerance.deviation);
+        const Image picture = signed_color_picture(map.distance, map.facing, {-most, most}, "mm");
         view.map = view.picture.view + "-deviation.png";
         view.map_width = picture.width, view.map_height = picture.height;
         pngs[view.map] = encode_png(picture);

@@ -84,7 +84,7 @@ void add_triage(Report& report, const Scene& scene, const InspectResult& result,
 }
 
 PictureOptions with_look_layers(PictureOptions options) {
-    for (const Aov layer : look_layers())
+    for (const Aov layer : look_layers(AnalysisMode::gauss))
         if (std::find(options.aovs.begin(), options.aovs.end(), layer) == options.aovs.end())
             options.aovs.push_back(layer);
     return options;

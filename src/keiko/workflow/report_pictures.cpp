@@ -255,11 +255,13 @@ std::vector<ReportPicture> curvature_pictures(std::span<const NamedView> views,
     for (std::size_t i = 0; i < views.size(); ++i)
         full =
             std::max(full, usual_curvature(AnalysisMode::gauss, films[i].second, views[i].camera));
+    AnalysisOptions options;
+    options.scale.range = ValueRange{-full, full};
     std::vector<ReportPicture> pictures;
     for (std::size_t i = 0; i < views.size(); ++i) {
         const Film& film = films[i].second;
         const Camera& camera = views[i].camera;
-        const Image gauss = analysis_picture(AnalysisMode::gauss, film, camera, {}, full);
+        const Image gauss = analysis_picture(AnalysisMode::gauss, film, camera, {}, options);
         pictures.push_back(picture_of(views[i].name, "curvature",
                                       with_inflections(gauss, film, inspection, camera)));
         pictures.push_back(picture_of(views[i].name, "zebra",

@@ -27,9 +27,9 @@ std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Re
                                std::span<const NamedView> views, const PictureOptions& options,
                                const Job& job);
 
-/// Analysis pictures of a body, from the films of its views, which have look_layers. Each view has
-/// two pictures: the Gaussian curvature, by one scale for all, with the visible inflection curves,
-/// and zebra.
+/// Analysis pictures of a body, from the films of its views, which have the look_layers() of a
+/// curvature. Each view has two pictures: the Gaussian curvature, by one scale for all, with the
+/// visible inflection curves, and zebra.
 std::vector<ReportPicture> curvature_pictures(std::span<const NamedView> views,
                                               std::span<const std::pair<std::string, Film>> films,
                                               const Inspection& inspection);

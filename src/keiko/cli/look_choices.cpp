@@ -1,0 +1,125 @@
+// The analysis mode of RenderArguments and its settings, parsed from their texts.
+#include "keiko/base/error.h"
+#include "keiko/base/text.h"
+#include "keiko/cli/render_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+
+namespace keiko::cli {
+namespace {
+
+std::vector<std::string> look_names() {
+    std::vector<std::string> names{"lamps"};
+    for (const AnalysisMode look : every_look()) names.emplace_back(name_of(look));
+    return names;
+}
+
+/// Mode of the name in "curvature:gauss=1e-4".
+AnalysisMode look_by_name(const std::string& name) {
+    for (const AnalysisMode look : every_look())
+        if (name_of(look) == name) return look;
+    const std::vector<std::string> names = look_names();
+    throw Error("", "--look",
+                "no look is called '" + name + "'; there are " + comma_list(names) +
+                    did_you_mean(name, names));
+}
+
+double full_curvature(AnalysisMode look, const std::string& text) {
+    double full = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, fault] = std::from_chars(text.data(), end, full);
+    if (!is_curvature(look) || fault != std::errc() || rest != end || !(full > 0) ||
+        !std::isfinite(full))
+        throw Error("", "--look",
+                    "'" + std::string(name_of(look)) + "=" + text +
+                        "' is not curvature:KIND=C with the curvature C > 0 of full colour");
+    return full;
+}
+
+/// "X,Y,Z", not 0; its length does not matter.
+Vec3 direction(const std::string& option, const std::string& text) {
+    Vec3 d(0);
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &d.x, &d.y, &d.z, &end) != 3 ||
+        static_cast<std::size_t>(end) != text.size() || !std::isfinite(d.length()) ||
+        !(d.length() > 0))
+        throw Error("", option, "'" + text + "' is not a direction X,Y,Z of some length");
+    return d.normalized();
+}
+
+/// "P%"
+std::optional<double> percentile(const std::string& text) {
+    double percent = 0;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%lf%%%n", &percent, &end) != 1 || end == 0) return std::nullopt;
+    const bool is_whole = static_cast<std::size_t>(end) == text.size();
+    return is_whole && percent > 0 && percent <= 100 ? std::optional(percent) : std::nullopt;
+}
+
+/// "MIN:MAX"
+std::optional<ValueRange> value_range(const std::string& text) {
+    ValueRange range;
+    int end = 0;
+    if (std::sscanf(text.c_str(), "%lf:%lf%n", &range.low, &range.high, &end) != 2 ||
+        static_cast<std::size_t>(end) != text.size() || !std::isfinite(range.high - range.low) ||
+        !(range.low < range.high))
+        return std::nullopt;
+    return range;
+}
+
+AnalysisScale scale_of(const std::string& text, bool logarithmic) {
+    const AnalysisScale scale{value_range(text), percentile(text)};
+    if (logarithmic && scale.range && !(scale.range->low > 0))
+        throw Error("", "--scale", "'" + text + "' is not MIN:MAX with 0 < MIN, in mm");
+    if (!scale.range && !scale.percentile)
+        throw Error("", "--scale",
+                    "'" + text + "' is neither MIN:MAX with MIN < MAX nor P% with 0 < P <= 100");
+    return scale;
+}
+
+/// Throws if the option of some modes is given with another.
+void require_mode(bool suits, bool given, const char* option, const char* modes) {
+    if (given && !suits) throw Error("", option, std::string("is for ") + modes);
+}
+
+/// Range for full colours at `full`.
+ValueRange range_to(AnalysisMode look, double full) {
+    return {look == AnalysisMode::absolute ? 0 : -full, full};
+}
+
+} // namespace
+
+std::optional<ChosenMode> RenderArguments::look() const {
+    const std::size_t sign = std::min(look_.find('='), look_.size());
+    std::optional<ChosenMode> chosen;
+    if (look_ != "lamps") chosen = ChosenMode{look_by_name(look_.substr(0, sign))};
+    const auto is = [&](AnalysisMode mode) { return chosen && chosen->look == mode; };
+    require_mode(is(AnalysisMode::draft), !pull_.empty(), "--pull", "--look draft");
+    require_mode(is(AnalysisMode::draft), draft_.has_value(), "--draft", "--look draft");
+    require_mode(is(AnalysisMode::section), !section_.empty(), "--section",
+                 "--look curvature:section");
+    require_mode(is(AnalysisMode::below_radius), radius_.has_value(), "--radius",
+                 "--look below-radius");
+    if (is(AnalysisMode::below_radius) && !radius_)
+        throw Error("", "--look below-radius", "needs --radius MM");
+    if (!section_.empty()) chosen->section = direction("--section", section_);
+    if (chosen) chosen->options = look_options(chosen->look, look_.substr(sign));
+    return chosen;
+}
+
+AnalysisOptions RenderArguments::look_options(AnalysisMode look, const std::string& full) const {
+    AnalysisOptions options;
+    if (!pull_.empty()) options.pull = direction("--pull", pull_);
+    options.draft = draft_.value_or(options.draft);
+    options.radius = radius_.value_or(options.radius);
+    require_mode(has_scale(look) && full.empty(), !scale_.empty(), "--scale",
+                 "a --look with a legend and without '=C', or for --false-color");
+    if (!scale_.empty()) options.scale = scale_of(scale_, look == AnalysisMode::radius);
+    if (!full.empty()) options.scale.range = range_to(look, full_curvature(look, full.substr(1)));
+    return options;
+}
+
+} // namespace keiko::cli
