@@ -15,8 +15,8 @@ bool has_kept(const MeasuredValue& now, double value, double bound) {
     if (!now.at_least)
         return now.value <= value * largest_growth &&
                now.value + now.bound <= (value + bound) * largest_growth;
-    const double least = value - bound;
-    return now.value >= value / largest_growth &&
+    const double least = value - bound; // a draft angle may be negative
+    return now.value >= (value > 0 ? value / largest_growth : value * largest_growth) &&
            (least <= 0 || now.value - now.bound >= least / largest_growth);
 }
 

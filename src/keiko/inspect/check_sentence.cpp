@@ -24,6 +24,10 @@ constexpr std::array criteria{
               "Width of a strip of a face beside a crease: the step across it is not judged."},
     Criterion{"G-SU-CR", "surface_with_small_curvature_radius", "radius",
               "Smallest radius of curvature of a face, over what its trims leave of it."},
+    // Neither [SASIG-PDQ] nor [ISO10303-59] names a check of draft.
+    Criterion{"KEIKO-DRAFT", "", "draft",
+              "Smallest draft angle of a face against the pull of its tool, over what its trims "
+              "leave of it."},
     Criterion{"G-SU-WV", "", "waviness", "Depth of waves of a surface, off the form around them."},
     Criterion{"KEIKO-DENT", "", "dent",
               "Depth of a dent or height of a bump of a surface, off the form around it."},

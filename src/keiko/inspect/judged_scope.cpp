@@ -1,5 +1,6 @@
 #include "keiko/inspect/judged_scope.h"
 
+#include "keiko/inspect/regularity/face_draft.h"
 #include "keiko/scene/stricter_limits.h"
 
 #include <algorithm>
@@ -26,9 +27,13 @@ bool is_beyond(const MeasuredSeam& seam, const CriteriaPreset& preset) {
            is_beyond(seam.slope->worst, *preset.curvature_slope);
 }
 
+/// Drafts were measured against the pull of the face's own limits, which is taken to be the same.
 bool is_beyond(const MeasuredFace& face, const SurfaceLimits& limits) {
     if (limits.minimum_radius && face.radius &&
         face.radius->value - face.radius->bound < *limits.minimum_radius)
+        return true;
+    if (limits.draft && face.draft &&
+        face.draft->value - face.draft->bound < limits.draft->angle - draft_tolerance)
         return true;
     return std::any_of(face.flaws.begin(), face.flaws.end(), [&](const Flaw& flaw) {
         return std::any_of(

@@ -89,6 +89,15 @@ Check radius_check(const MeasuredFace& face) {
     return judged_check("G-SU-CR", "mm", *face.radius, {"the smallest radius", " mm"});
 }
 
+Check draft_check(const MeasuredFace& face) {
+    if (!face.draft) return unjudged_check("KEIKO-DRAFT", "nothing is left of the face");
+    Check check =
+        judged_check("KEIKO-DRAFT", "deg", *face.draft, {"the smallest draft", " degrees"});
+    if (face.draft->verdict == Verdict::fail && face.draft->value < 0)
+        check.message += "; the face is undercut there";
+    return check;
+}
+
 /// A radius that no preset judges is worth a look where a bend is narrower than what counts.
 Check narrow_radius_check(const MeasuredFace& face, double negligible) {
     MeasuredValue worst = *face.radius;
@@ -193,6 +202,7 @@ std::vector<Check> checks_of(const MeasuredFace& face, const CriteriaPreset& pre
         checks.push_back(radius_check(face));
     else if (face.radius && face.radius->value < preset.negligible)
         checks.push_back(narrow_radius_check(face, preset.negligible));
+    if (limits.draft) checks.push_back(draft_check(face));
     std::vector<Check> flaws =
         limits.waviness.empty() ? looks_of(face) : flaw_checks(face, limits.waviness.front());
     std::move(flaws.begin(), flaws.end(), std::back_inserter(checks));

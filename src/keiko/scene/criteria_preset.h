@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/scene/draft_limit.h"
 #include "keiko/scene/face_selection.h"
 #include "keiko/scene/joint_limits.h"
 #include "keiko/scene/symmetry.h"
@@ -51,6 +52,7 @@ struct WavinessLimit {
 struct SurfaceLimits {
     std::optional<double> minimum_radius;  ///< mm, G-SU-CR: of the principal curvatures
     std::vector<WavinessLimit> waviness;   ///< G-SU-WV and KEIKO-DENT; by ascending windows
+    std::optional<DraftLimit> draft;       ///< KEIKO-DRAFT: of every place of a face
     std::optional<SymmetryLimit> symmetry; ///< KEIKO-SYMMETRY, of the body as a whole
 
     bool operator==(const SurfaceLimits&) const = default;

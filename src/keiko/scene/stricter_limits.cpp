@@ -65,6 +65,13 @@ public:
             add((std::string(what) + " by another formula").c_str(), limit_of(*zone), preset->limit,
                 " %", percent);
     }
+    void draft(const std::optional<DraftLimit>& zone, const std::optional<DraftLimit>& preset) {
+        if (!preset) return;
+        const bool same = zone && zone->pull == preset->pull;
+        if (same && zone->angle >= preset->angle) return;
+        add(zone && !same ? "draft against another pull" : "draft",
+            zone ? std::optional(zone->angle) : std::nullopt, preset->angle, " degrees", 1);
+    }
     void waviness(const std::vector<WavinessLimit>& zone, const WavinessLimit& preset) {
         const std::string what = "dents and waves in " + number(preset.window) + " mm";
         const auto same = std::find_if(zone.begin(), zone.end(), [&](const WavinessLimit& limit) {
@@ -114,6 +121,7 @@ std::vector<std::string> looser_limits(const CriteriaPreset& zone, const Criteri
     than.at_most("kink of lines", zone.lines.kink, preset.lines.kink, " degrees");
     than.at_most("bend of lines", zone.lines.bend, preset.lines.bend, " /mm");
     than.at_least("radius", zone.surface.minimum_radius, preset.surface.minimum_radius, " mm");
+    than.draft(zone.surface.draft, preset.surface.draft);
     for (const WavinessLimit& limit : preset.surface.waviness)
         than.waviness(zone.surface.waviness, limit);
     const StructureLimits &own = zone.structure, &all = preset.structure;

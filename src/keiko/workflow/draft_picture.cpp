@@ -1,8 +1,8 @@
 #include "keiko/workflow/draft_picture.h"
 
-#include "keiko/base/units.h"
 #include "keiko/film/color_legend.h"
 #include "keiko/film/signed_color_picture.h"
+#include "keiko/inspect/regularity/face_draft.h"
 #include "keiko/workflow/analysis_scale.h"
 
 #include <algorithm>
@@ -73,10 +73,6 @@ std::string words_of(const AnalysisOptions& options) {
 }
 
 } // namespace
-
-double draft_angle(const Vec3& normal, const Vec3& pull) {
-    return 90 - radians_to_degrees(angle_between(normal, pull));
-}
 
 Image draft_picture(const FilmSight& sight, const AnalysisOptions& options) {
     const Vec3 pull = options.pull.normalized();

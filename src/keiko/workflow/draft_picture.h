@@ -4,10 +4,6 @@
 
 namespace keiko {
 
-/// Draft angle in degrees, -90 to 90: 90 less the angle between an outward normal and the pull,
-/// both unit. It is 0 on walls along the pull and negative on undercuts.
-double draft_angle(const Vec3& normal, const Vec3& pull);
-
 /// Picture of the draft angle: blue from the minimum draft up, yellow below it, red where it is
 /// negative, with a legend in degrees. The side that is seen counts as outward, so that closed
 /// bodies have their own outside and sheets that of the viewer. Borders of the colours are averaged

@@ -126,6 +126,22 @@ TEST(PresetFile, SaysWhereAFileIsWrong) {
               "p.toml:7:18: surface.minimum_radius: must be above 0 and at most 1e+06, is 0");
 }
 
+TEST(PresetFile, HoldsADraftAndItsPull) {
+    const std::string seam = "name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[surface]\n";
+    const auto limits = [&](const std::string& surface) {
+        return parse_preset("format = \"keiko-preset/1\"\n" + seam + surface, "p.toml").surface;
+    };
+    EXPECT_EQ(limits("draft = 1.5\n").draft, (DraftLimit{1.5, {0, 0, 1}}));
+    EXPECT_EQ(limits("draft = 0\npull = [0, -2, 0]\n").draft, (DraftLimit{0, {0, -1, 0}}));
+    EXPECT_FALSE(limits("minimum_radius = 1\n").draft);
+    EXPECT_EQ(refused(seam + "draft = 91\n"),
+              "p.toml:7:9: surface.draft: must be at least 0 and at most 90, is 91");
+    EXPECT_EQ(refused(seam + "draft = 1\npull = [0, 0, 0]\n"),
+              "p.toml:8:8: surface.pull: has no direction");
+    EXPECT_EQ(refused(seam + "pull = [0, 0, 1]\n"),
+              "p.toml:7:8: surface.pull: is the direction of a draft, which is missing");
+}
+
 TEST(PresetFile, RefusesALimitThatNothingIsBeyond) {
     const std::string seam = "name = \"x\"\n[seam]\ngap = 1\nangle = 1\n";
     const auto curvature = [&](const std::string& formula, const std::string& limit) {

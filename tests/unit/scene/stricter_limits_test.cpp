@@ -37,6 +37,22 @@ TEST(LooserLimits, NameWhatAZoneLetsPass) {
                   "degree not judged instead of 6"}));
 }
 
+TEST(LooserLimits, CompareDraftsAgainstOnePull) {
+    CriteriaPreset preset, zone;
+    preset.surface.draft = DraftLimit{3, {0, 0, 1}};
+    EXPECT_EQ(looser_limits(zone, preset),
+              (std::vector<std::string>{"draft not judged instead of 3 degrees"}));
+    zone.surface.draft = DraftLimit{2, {0, 0, 1}};
+    EXPECT_EQ(looser_limits(zone, preset),
+              (std::vector<std::string>{"draft 2 degrees instead of 3 degrees"}));
+    zone.surface.draft = DraftLimit{4, {0, 0, -1}};
+    EXPECT_EQ(
+        looser_limits(zone, preset),
+        (std::vector<std::string>{"draft against another pull 4 degrees instead of 3 degrees"}));
+    zone.surface.draft->pull = {0, 0, 1};
+    EXPECT_TRUE(looser_limits(zone, preset).empty());
+}
+
 TEST(LooserLimits, CompareFormulasByWhatTheyPass) {
     CriteriaPreset preset, zone; // alias 10 % is catia 18.2 %
     zone.curvature = CurvatureLimit{CurvatureFormula::catia, 0.18};

@@ -75,6 +75,18 @@ SymmetryLimit symmetry_from(const TomlTable& table) {
     return limit;
 }
 
+std::optional<DraftLimit> draft_from(const TomlTable& table) {
+    const auto angle = table.number("draft", {.low = 0, .high = 90});
+    const auto pull = table.vector("pull");
+    if (!angle && pull) throw table.error("pull", "is the direction of a draft, which is missing");
+    if (!angle) return std::nullopt;
+    DraftLimit limit{.angle = *angle};
+    if (!pull) return limit;
+    if (!(pull->length() > 0)) throw table.error("pull", "has no direction");
+    limit.pull = pull->normalized();
+    return limit;
+}
+
 } // namespace
 
 void read_seam_limits(const TomlTable& table, CriteriaPreset& preset) {
@@ -101,6 +113,7 @@ SurfaceLimits surface_limits_from(const TomlTable& table) {
     SurfaceLimits limits;
     limits.minimum_radius = table.number("minimum_radius", limit_lengths);
     limits.waviness = waviness_limits_from(table);
+    limits.draft = draft_from(table);
     if (const auto symmetry = table.table("symmetry")) limits.symmetry = symmetry_from(*symmetry);
     table.finish();
     return limits;

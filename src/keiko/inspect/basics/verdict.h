@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/math/vec.h"
 
+#include <limits>
 #include <string_view>
 
 namespace KEIKO_API keiko {
@@ -53,8 +54,10 @@ struct MeasuredValue {
     bool at_least = false;           ///< the limit is the smallest value allowed, not the largest
 };
 
-/// Ratio of a value to its limit: 1 at the limit, more beyond it.
+/// Ratio of a value to its limit: 1 at the limit, more beyond it. It is infinite for a value of 0
+/// or less that is held to a smallest one.
 inline double share_of_limit(const MeasuredValue& worst) {
+    if (worst.at_least && !(worst.value > 0)) return std::numeric_limits<double>::infinity();
     return worst.at_least ? worst.limit / worst.value : worst.value / worst.limit;
 }
 

@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/approximation_error.h"
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/inspect/regularity/face_draft.h"
 #include "keiko/inspect/regularity/narrow_turn.h"
 
 #include <algorithm>
@@ -65,6 +66,10 @@ MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::ui
     MeasuredFace face;
     face.instance = instance, face.face = index, face.id = model.faces[index].id;
     face.name = placed_face_name(model, instance, index);
+    if (const auto& limit = preset.surface.draft) {
+        face.draft = smallest_draft(model, instance, index, *limit);
+        if (face.draft) face.verdict = face.draft->verdict;
+    }
     if (has_irregular_patch(model, index)) return face;
     const double off =
         approximation_error(model, index, scale_of(model.instances[instance])).curvature;
@@ -75,7 +80,7 @@ MeasuredFace measured(const SurfaceModel& model, std::uint32_t instance, std::ui
     if (!face.curvature) return face;
     face.radius = smallest_radius(*face.curvature, off, preset.surface.minimum_radius);
     if (face.radius) take_narrow_turn(face, model, preset);
-    if (face.radius) face.verdict = face.radius->verdict;
+    if (face.radius) face.verdict = std::max(face.verdict, face.radius->verdict);
     if (off > 0)
         widen(*face.curvature, off);
     else

@@ -86,6 +86,9 @@ struct MeasuredFace {
     /// The smallest radius of curvature, mm; nullopt for a plane. It is measured even if the preset
     /// does not judge it; its limit is then 0.
     std::optional<MeasuredValue> radius;
+    /// The smallest draft angle, degrees; nullopt if its preset has no limit of it, or trims leave
+    /// no material.
+    std::optional<MeasuredValue> draft;
     /// Dents, bumps and waves at least half as deep as the limit, the deepest first. `inspect`
     /// searches them (find_flaws) if the preset has a limit, judged or not.
     std::vector<Flaw> flaws;

@@ -89,6 +89,27 @@ double NormalCell::cone() const {
     return widest;
 }
 
+/// A normal N is a sum of coefficients c with weights of at least 0. N . axis is at least s times
+/// the sum of their lengths, s being the smallest sine of a coefficient. That sum is at least |N|,
+/// and at most |N| / t, t being the smallest cosine of a coefficient from the mean direction.
+std::optional<double> NormalCell::smallest_sine(const Vec3& axis) const {
+    const Vec3 all = sum();
+    if (!(all.length() > 0)) return std::nullopt;
+    const Vec3 mean = all.normalized();
+    double sine = 1, cosine = 1;
+    const double error = rounding();
+    for (int i = 0; i <= last(true); ++i)
+        for (int j = 0; j <= last(false); ++j) {
+            const Vec3 c = coefficient(i, j);
+            const double along = c.dot(axis) - error, ahead = c.dot(mean) - error;
+            if (!(ahead > 0)) return std::nullopt;
+            const double length = c.length(); // above the error, as `ahead` is above 0
+            cosine = std::min(cosine, ahead / (length + error));
+            sine = std::min(sine, along / (along < 0 ? length - error : length + error));
+        }
+    return std::max(sine < 0 ? sine / cosine : sine, -1.0);
+}
+
 std::optional<std::array<Vec2, 2>> NormalCell::turned_corners() const {
     struct Corner {
         Vec2 uv;
@@ -106,7 +127,6 @@ std::optional<std::array<Vec2, 2>> NormalCell::turned_corners() const {
     return std::nullopt;
 }
 
-/// Turn of the normals from side to side, radians.
 double NormalCell::turn(bool by_u) const {
     double most = 0;
     for (int k = 0; k <= last(!by_u); ++k) {
@@ -119,12 +139,20 @@ double NormalCell::turn(bool by_u) const {
 
 std::array<NormalCell, 2> NormalCell::halves(bool turned, double negligible) const {
     constexpr double much = 0.5;
-    const std::array<double, 2> sides = net_extents(box_.view());
+    const std::array<double, 2> sides = extents();
     bool by_u = sides[0] >= sides[1];
     const double along_u = turn(true), along_v = turn(false);
     const bool by_turn = along_u >= along_v;
     if (!turned && std::max(along_u, along_v) > much && sides[by_turn ? 0 : 1] > negligible)
         by_u = by_turn;
+    return halves_across(by_u);
+}
+
+std::array<double, 2> NormalCell::extents() const {
+    return net_extents(box_.view());
+}
+
+std::array<NormalCell, 2> NormalCell::halves_across(bool by_u) const {
     constexpr double share = 0.4811; // not the middle, where folds often lie
     const std::array<PatchBox, 2> boxes = box_.parts(by_u, share);
     std::array<FieldTriple, 2> fields;

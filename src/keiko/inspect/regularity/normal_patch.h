@@ -53,11 +53,20 @@ public:
     /// Radians about the mean of its normals within which they are all proved to lie; pi if they
     /// are not proved to be within a right angle of it.
     double cone() const;
+    /// A lower bound of n . axis, n being its unit normals and the axis unit; -1 to 1. nullopt if
+    /// the normals are not proved to be within 90 degrees of one direction.
+    std::optional<double> smallest_sine(const Vec3& axis) const;
+    /// Turn of the normals from side to side along u (`by_u`) or v, radians.
+    double turn(bool by_u) const;
+    /// Extents along u and v, mm.
+    std::array<double, 2> extents() const;
     /// Two corners whose normals differ by more than 90 degrees, in the patch's parameters.
     std::optional<std::array<Vec2, 2>> turned_corners() const;
     /// Halves across u or v. The cell is cut where its normals turn more, until that side is at
     /// most `negligible` mm long; a `turned` cell at its longer side.
     std::array<NormalCell, 2> halves(bool turned, double negligible) const;
+    /// Halves across u (`by_u`) or v.
+    std::array<NormalCell, 2> halves_across(bool by_u) const;
 
 private:
     NormalCell(PatchBox box, FieldTriple field) : box_(std::move(box)), field_(std::move(field)) {}
@@ -66,7 +75,6 @@ private:
         return {field_[0].at(i, j), field_[1].at(i, j), field_[2].at(i, j)};
     }
     int last(bool by_u) const { return by_u ? field_[0].degree_u() : field_[0].degree_v(); }
-    double turn(bool by_u) const;
     Vec3 sum() const;        ///< of the coefficients
     double rounding() const; ///< of a coefficient's product with a unit vector
 

@@ -2,6 +2,7 @@
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
@@ -38,6 +39,26 @@ std::string radius_cell(const MeasuredValue& radius) {
     if (radius.bound > curvature_tolerance * radius.value)
         text += soft_note("to " + short_number(radius.value - radius.bound, 4));
     return html_number_cell(radius.value, text, radius.verdict != Verdict::pass);
+}
+
+/// The draft found and, if it is undecided, the smallest possible true one.
+std::string draft_cell(const MeasuredValue& draft) {
+    std::string text = fixed_number(draft.value, 2);
+    if (draft.verdict == Verdict::undecided)
+        text += soft_note("to " + fixed_number(draft.value - draft.bound, 2));
+    text += soft_note("at " + place_text(draft.place));
+    return html_number_cell(draft.value, text, draft.verdict != Verdict::pass);
+}
+
+bool judges_draft(const Inspection& inspection) {
+    return std::any_of(inspection.faces.begin(), inspection.faces.end(),
+                       [](const MeasuredFace& face) { return face.draft.has_value(); });
+}
+
+std::string draft_heading(const CriteriaPreset& preset) {
+    const std::string name = "smallest draft °";
+    const auto& limit = preset.surface.draft;
+    return limit ? with_limit(name, " ≥ " + short_number(limit->angle), preset) : name;
 }
 
 std::string flaw_cell(const MeasuredFace& face) {
@@ -77,6 +98,7 @@ std::string row(const Report& report, std::size_t index) {
                                  "<span class=\"chip\">" + verdict + "</span>");
     html += (face.radius ? radius_cell(*face.radius) : no_cell()) + curvature_cells(face) +
             inflections_cell(face);
+    if (judges_draft(report.inspection)) html += face.draft ? draft_cell(*face.draft) : no_cell();
     if (searches_flaws(preset)) html += flaw_cell(face);
     html += face.radius ? html_place_cell(face.radius->place) : no_cell();
     return html + "</tr>\n";
@@ -112,6 +134,7 @@ std::string html_faces(const Report& report) {
                                       "Gaussian 1/mm², largest",
                                       "smallest",
                                       "inflections mm"};
+    if (judges_draft(report.inspection)) headings.push_back(draft_heading(preset));
     if (searches_flaws(preset))
         headings.push_back(preset.zones.empty() ? waviness_heading(preset.flaw_limits())
                                                 : "dents, waves mm");

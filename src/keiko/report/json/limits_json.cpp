@@ -40,6 +40,9 @@ Json limits_json(const CriteriaPreset& preset) {
     if (preset.curvature_slope) json["curvature_slope"] = *preset.curvature_slope;
     json["minimum_radius"] =
         preset.surface.minimum_radius ? Json(*preset.surface.minimum_radius) : Json();
+    if (const auto& draft = preset.surface.draft)
+        json["draft"] = {{"angle", draft->angle},
+                         {"pull", {draft->pull.x, draft->pull.y, draft->pull.z}}};
     for (const WavinessLimit& limit : preset.surface.waviness)
         json["waviness"].push_back(waviness_json(limit));
     for (const WavinessLimit& limit : preset.look.waviness)

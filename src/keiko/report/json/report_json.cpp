@@ -136,6 +136,7 @@ Json face_json(const MeasuredFace& face, std::size_t number, const Inspection& i
     if (face.radius)
         json["radius"] = limits.minimum_radius ? measured_json(*face.radius)
                                                : without_verdict(measured_json(*face.radius));
+    if (face.draft) json["draft"] = measured_json(*face.draft);
     json["inflections"] = Json::array();
     for (const InflectionCurve& curve : face.inflections)
         json["inflections"].push_back(inflection_json(curve));
