@@ -24,8 +24,8 @@ namespace fs = std::filesystem;
 
 constexpr std::array columns{"import", "build", "place", "inspect", "pictures", "lines", "files"};
 
-/// Column of each stage that a Job reports; a stage that is not named here counts with the one
-/// before it.
+/// Column of each stage that a Job reports, by what its name begins with; a stage that is not named
+/// here counts with the one before it.
 const std::map<std::string, std::string, std::less<>>& column_of_stage() {
     static const std::map<std::string, std::string, std::less<>> columns_of{
         {"import", "import"},   {"build", "build"},          {"choose view", "place"},
@@ -63,8 +63,9 @@ public:
     }
 
     void report(std::string_view stage) {
-        const auto found = column_of_stage().find(stage);
-        if (found != column_of_stage().end()) column_ = found->second;
+        // The longest name that a stage begins with; what it is about may follow: "render front".
+        for (const auto& [name, column] : column_of_stage())
+            if (stage.starts_with(name)) column_ = column;
         add_to(column_);
     }
 
