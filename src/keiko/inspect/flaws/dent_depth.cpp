@@ -274,7 +274,7 @@ std::optional<DentDepth> dent_depth(const FaceAdjacency& faces, const SheetPoint
         if (!from) return std::nullopt;
         const std::vector<FormHeight> heights = heights_around(faces, at, *from, reach);
         if (const auto ruling = ruling_of_tube(faces, at, *from, heights, reach)) {
-            const auto on_line = deepest_along(faces, at, *ruling, reach);
+            auto on_line = deepest_along(faces, at, *ruling, reach);
             if (on_line && on_line->bound < std::abs(on_line->offset)) return on_line;
         }
         const std::vector<FormHeight> near = within(heights, reach);

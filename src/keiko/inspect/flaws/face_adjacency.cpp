@@ -157,7 +157,7 @@ std::optional<SheetPoint> FaceAdjacency::moved(const TangentFrame& over, const S
     const auto there = solved(over, from, to);
     if (there && faces_[from.face].has_material(*there)) return SheetPoint{from.face, *there};
     if (crossings_left == 0) return std::nullopt;
-    if (const auto across = across_pole(over, from, to, crossings_left)) return across;
+    if (auto across = across_pole(over, from, to, crossings_left)) return across;
     const Vec3 here = evaluate(from, 0)->position();
     constexpr double slope = 2; // a trace along the surface is longer than in the plane
     if (!has_crossing_near(from.face, here, slope * (to - flat(over.local(here))).length()))

@@ -46,11 +46,10 @@ Vec2 extents(const PlacedPatch& patch, const BezierPatchView& view) {
 }
 
 /// True if the control points from `first` on, `step` apart, are within `coincident` mm of it.
-bool is_point(const PlacedPatch& patch, int first, int step, int count, double coincident) {
-    const auto at = [&](int k) {
-        return euclidean(patch.points[static_cast<std::size_t>(first + k * step)]);
-    };
-    for (int k = 1; k < count; ++k)
+bool is_point(const PlacedPatch& patch, std::size_t first, std::size_t step, std::size_t count,
+              double coincident) {
+    const auto at = [&](std::size_t k) { return euclidean(patch.points[first + k * step]); };
+    for (std::size_t k = 1; k < count; ++k)
         if (!((at(k) - at(0)).length() <= coincident)) return false;
     return true;
 }
@@ -150,9 +149,10 @@ std::vector<CollapsedSide> FaceSurface::collapsed_sides(double coincident) const
         const std::uint32_t index = patch_in(column, row);
         if (index == no_index) return;
         const BezierPatchView view = model_.patch(patches_[index].index);
-        const int n = view.degree_u, m = view.degree_v, row_length = m + 1;
-        const int first = !at_end ? 0 : along_u ? m : n * row_length;
-        const int step = along_u ? row_length : 1, count = (along_u ? n : m) + 1;
+        const auto n = static_cast<std::size_t>(view.degree_u);
+        const auto m = static_cast<std::size_t>(view.degree_v), row_length = m + 1;
+        const std::size_t first = !at_end ? 0 : along_u ? m : n * row_length;
+        const std::size_t step = along_u ? row_length : 1, count = (along_u ? n : m) + 1;
         if (!is_point(patches_[index], first, step, count, coincident)) return;
         const Vec2 along = along_u ? Vec2(1, 0) : Vec2(0, 1);
         const Vec2 across = Vec2(1) - along;
