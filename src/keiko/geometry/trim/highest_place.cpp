@@ -148,7 +148,8 @@ private:
         for (std::size_t k = 0; k < 4; ++k)
             if (heights[k] > best_ && (part.inside || part.patch->contains(corners[k])))
                 best_ = heights[k];
-        add(part.height.upper(), std::move(part));
+        const double upper = part.height.upper(); // read before the part is moved
+        add(upper, std::move(part));
     }
 
     void split(const SurfacePart& part) {
