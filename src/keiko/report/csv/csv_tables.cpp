@@ -144,7 +144,7 @@ std::string profiles_csv(std::span<const SeamProfile> profiles, const Inspection
              {&profile.gap, &profile.angle, &profile.curvature, &profile.slope})
             append(end, *quantity);
         for (const ProfileSample& sample : profile.samples)
-            text += begin + row(sample) + end + "\n";
+            text.append(begin).append(row(sample)).append(end) += "\n";
     }
     return text;
 }

@@ -21,13 +21,13 @@ void require(bool holds, const std::string& key, const std::string& reason) {
 /// The text at a key, which may be missing only if it is optional.
 std::string text_at(const Json& json, const char* key, bool optional = false) {
     if (optional && !json.contains(key)) return "";
-    const std::string text = json.at(key).get<std::string>();
+    std::string text = json.at(key).get<std::string>();
     require(!text.empty(), key, "is empty");
     return text;
 }
 
 std::string date_at(const Json& json, const char* key, bool optional = false) {
-    const std::string date = text_at(json, key, optional);
+    std::string date = text_at(json, key, optional);
     require(date.empty() || is_date(date), key, in_quotes(date) + " is no date as 2026-11-27");
     return date;
 }
