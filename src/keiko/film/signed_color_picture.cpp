@@ -41,7 +41,7 @@ ColorLegend legend_of(const ValueRange& range, const std::string& unit) {
     const auto [low, high] = range;
     ColorLegend legend{
         unit,
-        [=](double position) {
+        [low = low, high = high](double position) {
             return signed_color(share_of(low + (high - low) * position, {low, high}));
         },
         {}};

@@ -57,7 +57,9 @@ ValueRange range_of(const AnalysisOptions& options, const FilmSight& sight,
 ColorLegend legend_of(const DraftColors& colors) {
     const auto [low, high] = colors.range;
     ColorLegend legend{
-        "degrees", [=](double share) { return colors.at(low + (high - low) * share); }, {}};
+        "degrees",
+        [=, low = low, high = high](double share) { return colors.at(low + (high - low) * share); },
+        {}};
     for (const double angle : {0.0, colors.minimum, low, high, low / 2, high / 2})
         if (angle >= low && angle <= high)
             legend.ticks.push_back({(angle - low) / (high - low), legend_number(angle)});
