@@ -31,12 +31,12 @@ double border_distance(const FilmSight& sight, Aov layer, int x, int y) {
     constexpr double logistic = 1.702; // the best fit of the normal distribution by a logistic one
     const float own = *sight.layer(layer, x, y);
     double same = 0, other = 0;
-    for (int j = -2; j <= 2; ++j)
-        for (int i = -2; i <= 2; ++i) {
-            const int column = std::clamp(x + i, 0, sight.width() - 1);
-            const int row = std::clamp(y + j, 0, sight.height() - 1);
+    for (int j = 0; j < 5; ++j)
+        for (int i = 0; i < 5; ++i) {
+            const int column = std::clamp(x + i - 2, 0, sight.width() - 1);
+            const int row = std::clamp(y + j - 2, 0, sight.height() - 1);
             const double weight =
-                weights[static_cast<std::size_t>(i + 2)] * weights[static_cast<std::size_t>(j + 2)];
+                weights[static_cast<std::size_t>(i)] * weights[static_cast<std::size_t>(j)];
             (*sight.layer(layer, column, row) == own ? same : other) += weight;
         }
     if (other == 0) return std::numeric_limits<double>::infinity();
