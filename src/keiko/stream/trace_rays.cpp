@@ -27,7 +27,7 @@ public:
           rig_(scene.rig.value_or(LightRig{})),
           picture_(scene.picture(rig_)),
           picture_options_(picture_options(scene)),
-          // clang's analyser takes it that a constructor of another file which gets members beside
+          // clang's analyser assumes that a constructor of another file which gets members beside
           // its own by const reference initialises nothing of the object that they all belong to.
           // NOLINTNEXTLINE(clang-analyzer-optin.cplusplus.UninitializedObject)
           integrator_(picture_, picture_options_, std::nullopt, job) {}
