@@ -9,7 +9,7 @@ namespace keiko {
 
 /// Clips a convex polygon by a line [SutherlandHodgman1974]: calls `add`(corner) for the corners,
 /// in order, of the part where a linear function is not negative. `value_of`(i) is its value at
-/// corner i, and is asked for once.
+/// corner i, and is called once.
 template <class ValueOf, class Add>
 void clip_convex(std::span<const Vec2> corners, const ValueOf& value_of, const Add& add) {
     if (corners.empty()) return;
