@@ -1,6 +1,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/face_box.h"
 #include "keiko/inspect/basics/patch_box.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/curvature/curvature_range.h"
@@ -107,17 +108,11 @@ private:
         return {patch.degree_u, patch.degree_v, cell.points};
     }
 
-    Box2 face_box(const Cell& cell) const {
-        const std::uint32_t patch = patches_[cell.patch].index;
-        Box2 box;
-        box.extend(model_.face_parameters(patch, cell.uv.lower));
-        box.extend(model_.face_parameters(patch, cell.uv.upper));
-        return box;
-    }
-
     void add(Cell cell) {
         const TrimSide side =
-            trims_.untrimmed() ? TrimSide::inside : trims_.classify(face_box(cell));
+            trims_.untrimmed()
+                ? TrimSide::inside
+                : trims_.classify(face_box(model_, patches_[cell.patch].index, cell.uv));
         if (side == TrimSide::outside) return;
         centre(cell.points);
         const BezierPatchView view = view_of(cell);

@@ -4,6 +4,7 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/face_box.h"
 #include "keiko/inspect/basics/visible_pieces.h"
 
 #include <algorithm>
@@ -161,10 +162,7 @@ private:
     TrimSide side_of(const PatchInstance& placed, const Box2& uv) const {
         const TrimRegion& trim = trims_[placed.face];
         if (trim.untrimmed()) return TrimSide::inside;
-        Box2 box;
-        box.extend(model_.face_parameters(placed.patch, uv.lower));
-        box.extend(model_.face_parameters(placed.patch, uv.upper));
-        return trim.classify(box);
+        return trim.classify(face_box(model_, placed.patch, uv));
     }
 
     bool sees(const LineVisibility& sight, const PatchInstance& placed,

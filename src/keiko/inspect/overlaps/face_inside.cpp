@@ -1,6 +1,7 @@
 #include "keiko/inspect/overlaps/face_inside.h"
 
 #include "keiko/geometry/seam/border_run.h"
+#include "keiko/inspect/basics/face_box.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +22,7 @@ const TrimRegion& FaceInside::trims() {
 
 TrimSide FaceInside::side(std::uint32_t patch, const Box2& uv) {
     if (face_.loop_count == 0) return TrimSide::inside;
-    return trims().classify(
-        {model_.face_parameters(patch, uv.lower), model_.face_parameters(patch, uv.upper)});
+    return trims().classify(face_box(model_, patch, uv));
 }
 
 bool FaceInside::is_inside(std::uint32_t index, const Vec2& uv, const SurfaceDerivatives& s) {

@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/trim/trim_region.h"
 #include "keiko/inspect/basics/approximation_error.h"
+#include "keiko/inspect/basics/face_box.h"
 #include "keiko/inspect/regularity/normal_patch.h"
 
 #include <algorithm>
@@ -68,11 +69,7 @@ public:
 private:
     TrimSide side_of(const Piece& piece) const {
         if (piece.inside) return TrimSide::inside;
-        const Box2& uv = piece.cell.uv();
-        Box2 box;
-        box.extend(model_.face_parameters(piece.patch->index(), uv.lower));
-        box.extend(model_.face_parameters(piece.patch->index(), uv.upper));
-        return trims_.classify(box);
+        return trims_.classify(face_box(model_, piece.patch->index(), piece.cell.uv()));
     }
 
     void add(Piece piece) {

@@ -2,6 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/face_box.h"
 #include "keiko/inspect/regularity/normal_patch.h"
 
 #include <algorithm>
@@ -74,9 +75,7 @@ private:
 
     bool is_outside(const Part& part) const {
         if (trims_.untrimmed()) return false;
-        Box2 box;
-        box.extend(on_face(part, part.cell.uv().lower));
-        box.extend(on_face(part, part.cell.uv().upper));
+        const Box2 box = face_box(model_, part.patch->index(), part.cell.uv());
         return trims_.classify(box) == TrimSide::outside;
     }
 

@@ -2,6 +2,7 @@
 
 #include "keiko/base/job.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/face_box.h"
 #include "keiko/inspect/regularity/normal_break.h"
 #include "keiko/inspect/regularity/normal_patch.h"
 
@@ -100,9 +101,7 @@ private:
 
     bool is_outside(const Part& part) {
         if (face_.loop_count == 0) return false;
-        Box2 box;
-        box.extend(model_.face_parameters(part.patch->index(), part.cell.uv().lower));
-        box.extend(model_.face_parameters(part.patch->index(), part.cell.uv().upper));
+        const Box2 box = face_box(model_, part.patch->index(), part.cell.uv());
         return trims().classify(box) == TrimSide::outside;
     }
 
