@@ -38,5 +38,24 @@ TEST(RunOutPlaces, HoldNothingWhereNoCreaseFades) {
     }
 }
 
+TEST(RunOutPlaces, CountTheCreaseBeyondTheEndOfItsLine) {
+    // Only some 15 mm of the crease are on the line of its run-out of some 30 mm.
+    const SlopedSeam seam({{{100, {8, 8, 8, 8}}, {160, {8, 8, 0, 0}}, {260, {0, 0, 0, 0}}}});
+    const SeamProbe& whole = seam.probes().front();
+    const auto part = [&](double from, double to) {
+        return whole.part(whole.at(from / 260), whole.at(to / 260));
+    };
+    const std::vector<SeamProbe> own{part(110, 260)};
+    const Vec3 fading(140, 0, 0);
+    EXPECT_FALSE(RunOutPlaces(own, {}).hold(fading, 1));
+    const auto beyond = [&](double from, double to) {
+        return RunOutPlaces(own, {}, [&, from, to] { return std::vector{part(from, to)}; });
+    };
+    EXPECT_TRUE(beyond(0, 110).hold(fading, 1));
+    EXPECT_FALSE(beyond(0, 100).hold(fading, 1));   // does not touch it
+    EXPECT_FALSE(beyond(108, 110).hold(fading, 1)); // still shorter
+    EXPECT_FALSE(beyond(200, 260).hold(fading, 1)); // no crease
+}
+
 } // namespace
 } // namespace keiko

@@ -4,6 +4,7 @@
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/seams/class_stretches.h"
+#include "keiko/inspect/seams/continuing_lines.h"
 #include "keiko/inspect/seams/model_borders.h"
 #include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/seam_line.h"
@@ -76,7 +77,11 @@ class LineJoiner {
 public:
     LineJoiner(const SurfaceModel& model, const LineSeams& seams, std::span<const CPlane> planes,
                const Camera& camera, LineLook look, const FaceLimits& limits, const Job& job)
-        : model_(model), seams_(seams), limits_(limits), job_(job) {
+        : model_(model),
+          seams_(seams),
+          limits_(limits),
+          job_(job),
+          continuing_(seams.curves, seams.seams, seams.chains, seams.join_distance) {
         const Vec3 body = material_bounds(model, job).center();
         for (const CPlane& plane : planes)
             lamps_.push_back(lamp_levels(look, LineEye(camera), plane, body));
@@ -118,6 +123,7 @@ private:
     const LineSeams& seams_;
     const FaceLimits& limits_;
     const Job& job_;
+    ContinuingLines continuing_;
     std::vector<LampLevels> lamps_;
     JoinedLines result_;
     std::vector<StudiedPiece> studied_;
@@ -247,9 +253,11 @@ RunOutPlaces LineJoiner::run_outs_of(std::uint32_t chain, const FaceSizes& sizes
     for (const std::uint32_t piece : seams_.chains[chain])
         pieces.emplace_back(seams_.curves, seams_.seams[piece]);
     const Seam& first = seams_.seams[seams_.chains[chain].front()];
-    return {pieces, stretch_limits(sizes.of(first.a.instance, first.a.face),
-                                   sizes.of(first.b.instance, first.b.face),
-                                   limits_at({.seam = chain}), seams_.join_distance)};
+    return {pieces,
+            stretch_limits(sizes.of(first.a.instance, first.a.face),
+                           sizes.of(first.b.instance, first.b.face), limits_at({.seam = chain}),
+                           seams_.join_distance),
+            [&] { return continuing_.beyond(chain); }};
 }
 
 /// Excuses jumps of lines where a crease fades out: the seam's own verdict states whether it fades

@@ -21,8 +21,9 @@ double length_of(std::span<const SeamPart> parts, const std::vector<std::size_t>
 
 class StretchMaker {
 public:
-    StretchMaker(std::span<const SeamProbe> probes, const StretchLimits& limits)
-        : probes_(probes), limits_(limits) {
+    StretchMaker(std::span<const SeamProbe> probes, const StretchLimits& limits,
+                 const PiecesBeyond& beyond)
+        : probes_(probes), limits_(limits), beyond_(beyond) {
         for (std::uint32_t i = 0; i < probes.size(); ++i)
             for (SeamPart& part : partition_seam(probes[i], i, limits))
                 parts_.push_back(std::move(part));
@@ -40,10 +41,12 @@ private:
     std::vector<std::vector<std::size_t>> groups() const;
     void add_run_outs();
     void add_run_out(std::size_t crease, bool forward, double longest);
+    double length_beyond(std::size_t crease) const;
     SeamStretch stretch_of(const std::vector<std::size_t>& group) const;
 
     std::span<const SeamProbe> probes_;
     const StretchLimits& limits_;
+    const PiecesBeyond& beyond_;
     std::vector<SeamPart> parts_;
     /// Fading of creases that fade out, by piece and parameter of the crease's begin.
     std::map<std::pair<std::uint32_t, double>, MeasuredValue> fading_;
@@ -99,7 +102,8 @@ void StretchMaker::add_run_outs() {
 void StretchMaker::add_run_out(std::size_t crease, bool forward, double longest) {
     const std::optional<RunOut> found = follow_run_out(probes_, parts_, crease, forward, limits_);
     // A seam that is mostly run-out is no feature line but a fault that its peak would excuse.
-    if (!found || found->length() > longest) return;
+    if (!found) return;
+    if (found->length() > longest && found->length() > longest + length_beyond(crease)) return;
     const auto [fading, is_first] =
         fading_.try_emplace({parts_[crease].piece, parts_[crease].begin.t}, found->step);
     if (!is_first) fading->second = worse_of(fading->second, found->step);
@@ -110,6 +114,38 @@ void StretchMaker::add_run_out(std::size_t crease, bool forward, double longest)
     std::sort(parts_.begin(), parts_.end(), [](const SeamPart& a, const SeamPart& b) {
         return std::pair(a.piece, a.begin.t) < std::pair(b.piece, b.begin.t);
     });
+}
+
+/// mm of creases on pieces of other lines that continue a crease of this one.
+double StretchMaker::length_beyond(std::size_t crease) const {
+    if (!beyond_) return 0;
+    const double reach = std::max(limits_.join, limits_.negligible);
+    const auto ends_of_part = [](const SeamProbe& probe, const SeamPart& part) {
+        return std::array{end_of(probe, part, false), end_of(probe, part, true)};
+    };
+    std::vector<std::array<SeamEnd, 2>> reached;
+    for (const std::vector<std::size_t>& group : groups())
+        if (std::find(group.begin(), group.end(), crease) != group.end())
+            for (const std::size_t i : group)
+                reached.push_back(ends_of_part(probes_[parts_[i].piece], parts_[i]));
+    struct Beyond {
+        std::array<SeamEnd, 2> ends;
+        double length = 0;
+    };
+    std::vector<Beyond> left;
+    for (const SeamProbe& probe : beyond_())
+        for (const SeamPart& part : partition_seam(probe, 0, limits_))
+            if (part.kind == SeamClass::crease)
+                left.push_back({ends_of_part(probe, part), part.length});
+    double length = 0;
+    for (std::size_t i = 0; i < reached.size(); ++i)
+        std::erase_if(left, [&, from = reached[i]](const Beyond& part) {
+            if (!touch(from, part.ends, reach)) return false;
+            length += part.length;
+            reached.push_back(part.ends);
+            return true;
+        });
+    return length;
 }
 
 SeamStretch StretchMaker::stretch_of(const std::vector<std::size_t>& group) const {
@@ -147,12 +183,13 @@ double distance_to(const SeamProbe& probe, const Vec3& place) {
 } // namespace
 
 std::vector<SeamStretch> seam_stretches(std::span<const SeamProbe> probes,
-                                        const StretchLimits& limits) {
-    return StretchMaker(probes, limits).run();
+                                        const StretchLimits& limits, const PiecesBeyond& beyond) {
+    return StretchMaker(probes, limits, beyond).run();
 }
 
-RunOutPlaces::RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits) {
-    for (const SeamStretch& stretch : seam_stretches(pieces, limits)) {
+RunOutPlaces::RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits,
+                           const PiecesBeyond& beyond) {
+    for (const SeamStretch& stretch : seam_stretches(pieces, limits, beyond)) {
         if (stretch.kind != SeamClass::run_out) continue;
         for (const SeamPart& part : stretch.parts)
             run_outs_.push_back(pieces[part.piece].part(part.begin, part.end));

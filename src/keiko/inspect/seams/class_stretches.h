@@ -3,6 +3,7 @@
 #include "keiko/inspect/basics/verdict.h"
 #include "keiko/inspect/seams/seam_partition.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,10 +21,15 @@ struct SeamStretch {
     std::optional<MeasuredValue> fading;
 };
 
+/// Makes the pieces of other lines that go on at the ends of a line (ContinuingLines).
+using PiecesBeyond = std::function<std::vector<SeamProbe>()>;
+
 /// Cuts the pieces of a seam into stretches, by their first parts. The smooth part beside a crease
 /// becomes a run-out as far as its angle fades to the limit, if it is no longer than the crease.
+/// Where it is longer, creases on the pieces `beyond` that continue it count too.
 std::vector<SeamStretch> seam_stretches(std::span<const SeamProbe> probes,
-                                        const StretchLimits& limits);
+                                        const StretchLimits& limits,
+                                        const PiecesBeyond& beyond = {});
 
 /// The run-outs of the creases of one seam.
 class RunOutPlaces {
@@ -31,7 +37,8 @@ public:
     /// No run-outs.
     RunOutPlaces() = default;
     /// Run-outs of the seam's pieces, whose curves are kept.
-    RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits);
+    RunOutPlaces(std::span<const SeamProbe> pieces, const StretchLimits& limits,
+                 const PiecesBeyond& beyond = {});
 
     /// True if a place, world, mm, lies within `reach` mm of a run-out.
     bool hold(const Vec3& place, double reach) const;

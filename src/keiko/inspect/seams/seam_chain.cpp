@@ -16,23 +16,6 @@ namespace {
 
 using FacePair = std::tuple<std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
 
-struct Ends {
-    SeamEnd begin, end;
-
-    Ends(const BoundaryCurves& curves, const Seam& seam) {
-        const SurfaceCurve curve = curves.curve(seam.a);
-        const SurfaceCurve::Point first = curve.at(seam.a.begin), last = curve.at(seam.a.end);
-        const auto [run_begin, run_end] = runs_out(curves, seam);
-        begin = {first.position, -first.first, run_begin};
-        end = {last.position, last.first, run_end};
-    }
-
-    bool touch(const Ends& other, double join) const {
-        return goes_on(begin, other.begin, join) || goes_on(begin, other.end, join) ||
-               goes_on(end, other.begin, join) || goes_on(end, other.end, join);
-    }
-};
-
 /// The first place of a curve, from parameter t to its end `stop`, that is `length` mm from a
 /// given one; nullopt if none is. Sampled in eighths.
 std::optional<Vec3> leaves(const SurfaceCurve& curve, double t, double stop, const Vec3& from,
@@ -184,6 +167,14 @@ std::array<Vec3, 2> runs_out(const BoundaryCurves& curves, const Seam& seam) {
             run_into(curves, seam.a, seam.a.end, false, length)};
 }
 
+std::array<SeamEnd, 2> ends_of(const BoundaryCurves& curves, const Seam& seam) {
+    const SurfaceCurve curve = curves.curve(seam.a);
+    const SurfaceCurve::Point first = curve.at(seam.a.begin), last = curve.at(seam.a.end);
+    const auto [run_begin, run_end] = runs_out(curves, seam);
+    return {SeamEnd{first.position, -first.first, run_begin},
+            SeamEnd{last.position, last.first, run_end}};
+}
+
 bool goes_on(const SeamEnd& from, const SeamEnd& into, double reach) {
     if (is_corner(from.out, -into.out) && is_corner(from.run, -into.run)) return false;
     const Vec3 way = into.place - from.place;
@@ -191,17 +182,24 @@ bool goes_on(const SeamEnd& from, const SeamEnd& into, double reach) {
     return way.length() <= reach && !is_corner(from.out, way) && !is_corner(way, -into.out);
 }
 
+bool touch(const std::array<SeamEnd, 2>& a, const std::array<SeamEnd, 2>& b, double reach) {
+    for (const SeamEnd& x : a)
+        for (const SeamEnd& y : b)
+            if (goes_on(x, y, reach)) return true;
+    return false;
+}
+
 std::vector<std::vector<std::uint32_t>> seam_chains(const BoundaryCurves& curves,
                                                     std::span<const Seam> seams, double join) {
-    std::vector<Ends> ends;
+    std::vector<std::array<SeamEnd, 2>> ends;
     std::map<FacePair, std::vector<std::uint32_t>> by_faces;
     DisjointSets sets(seams.size());
     for (std::uint32_t i = 0; i < seams.size(); ++i) {
         const BoundaryInterval &a = seams[i].a, &b = seams[i].b;
-        ends.emplace_back(curves, seams[i]);
+        ends.push_back(ends_of(curves, seams[i]));
         auto& same = by_faces[FacePair(a.instance, a.face, b.instance, b.face)];
         for (const std::uint32_t j : same)
-            if (ends[i].touch(ends[j], join)) sets.join(i, j);
+            if (touch(ends[i], ends[j], join)) sets.join(i, j);
         same.push_back(i);
     }
     std::map<std::size_t, std::vector<std::uint32_t>> chains;

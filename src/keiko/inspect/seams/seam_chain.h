@@ -22,6 +22,9 @@ struct SeamEnd {
     Vec3 run{0};   ///< the same over the length of a vertex, along the border before the end
 };
 
+/// The begin and the end of a piece.
+std::array<SeamEnd, 2> ends_of(const BoundaryCurves& curves, const Seam& seam);
+
 /// One of the two ends of a part.
 SeamEnd end_of(const SeamProbe& probe, const SeamPart& part, bool last);
 
@@ -34,6 +37,8 @@ std::array<Vec3, 2> runs_out(const BoundaryCurves& curves, const Seam& seam);
 /// vertex: small teeth are no corners. Or the straight connection between
 /// them is at most `reach` mm long and the line turns no corner at either end of it.
 bool goes_on(const SeamEnd& from, const SeamEnd& into, double reach);
+/// True if any end of one piece continues into any of the other.
+bool touch(const std::array<SeamEnd, 2>& a, const std::array<SeamEnd, 2>& b, double reach);
 
 /// Groups seams of the same two placed faces that continue each other (goes_on, within `join` mm).
 /// Many p-curve pieces of a file are a single seam to the viewer of the car, while a corner

@@ -180,10 +180,10 @@ StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset&
 }
 
 std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
-                                          const CriteriaPreset& preset,
-                                          const StretchLimits& limits) {
+                                          const CriteriaPreset& preset, const StretchLimits& limits,
+                                          const PiecesBeyond& beyond) {
     std::vector<MeasuredStretch> measured;
-    for (SeamStretch& stretch : seam_stretches(line.probes, limits)) {
+    for (SeamStretch& stretch : seam_stretches(line.probes, limits, beyond)) {
         MeasuredSeam seam = measure_stretch(model, line, stretch, preset);
         seam.scrap = stretch.scrap, seam.negligible = limits.negligible;
         seam.parted = limits.join > 0 && seam.gap.value > limits.join;

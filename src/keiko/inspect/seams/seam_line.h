@@ -28,9 +28,9 @@ StretchLimits stretch_limits(double size_a, double size_b, const CriteriaPreset&
                              double join);
 
 /// Cuts a line into stretches, measures each on the exact geometry and judges it by the rules of
-/// its class, scraps too.
+/// its class, scraps too. `beyond`: of seam_stretches.
 std::vector<MeasuredStretch> measure_line(const SurfaceModel& model, const SeamLine& line,
-                                          const CriteriaPreset& preset,
-                                          const StretchLimits& limits);
+                                          const CriteriaPreset& preset, const StretchLimits& limits,
+                                          const PiecesBeyond& beyond = {});
 
 } // namespace keiko

@@ -4,6 +4,7 @@
 #include "keiko/inspect/basics/approximation_error.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/seams/bend_pieces.h"
+#include "keiko/inspect/seams/continuing_lines.h"
 #include "keiko/inspect/seams/knot_piece.h"
 #include "keiko/inspect/seams/scraps.h"
 #include "keiko/inspect/seams/seam_chain.h"
@@ -41,6 +42,7 @@ MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Se
     const BoundaryCurves& curves = borders.curves;
     const std::vector<Seam> seams = widened_seams(curves, paired, join);
     const std::vector<std::vector<std::uint32_t>> chains = seam_chains(curves, seams, join);
+    const ContinuingLines continuing(curves, seams, chains, join);
     std::vector<std::vector<MeasuredStretch>> lines(chains.size());
     parallel_for(chains.size(), job, "measure", [&](std::size_t i) {
         const SeamLine line = line_of(curves, seams, chains[i]);
@@ -49,7 +51,8 @@ MeasuredSeams with_judged_scraps(const ModelBorders& borders, std::span<const Se
         const StretchLimits of_stretches =
             stretch_limits(borders.sizes.of(line.instance_a, line.face_a),
                            borders.sizes.of(line.instance_b, line.face_b), preset, join);
-        lines[i] = measure_line(model, line, preset, of_stretches);
+        lines[i] = measure_line(model, line, preset, of_stretches,
+                                [&] { return continuing.beyond(static_cast<std::uint32_t>(i)); });
     });
     MeasuredSeams result;
     for (std::uint32_t i = 0; i < lines.size(); ++i)
