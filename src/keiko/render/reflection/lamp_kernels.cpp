@@ -13,17 +13,18 @@ namespace {
 /// Coverage of a few lanes by end_coverage() and the like; 0 in the others.
 Batch coverage_one_by_one(const StripeRow& row, const CPlaneHitT<Batch>& hit,
                           const FootprintT<Batch>& image, Mask wanted) {
-    const std::array all{hit.t,           hit.u,           hit.v,           hit.direction.x,
-                         hit.direction.y, hit.direction.z, image.dx.x,      image.dx.y,
-                         image.dy.x,      image.dy.y,      image.descent.x, image.descent.y};
-    double of[all.size()][lanes], found[lanes];
-    for (std::size_t i = 0; i < all.size(); ++i) all[i].store(of[i]);
+    constexpr std::size_t count = 12;
+    const std::array<Batch, count> all{
+        hit.t,      hit.u,      hit.v,      hit.direction.x, hit.direction.y, hit.direction.z,
+        image.dx.x, image.dx.y, image.dy.x, image.dy.y,      image.descent.x, image.descent.y};
+    double of[count][lanes], found[lanes];
+    for (std::size_t i = 0; i < count; ++i) all[i].store(of[i]);
     const std::uint32_t bits = bits_of(wanted);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
         found[lane] = 0;
         if ((bits >> lane & 1) == 0) continue;
-        double numbers[all.size()];
-        for (std::size_t i = 0; i < all.size(); ++i) numbers[i] = of[i][lane];
+        double numbers[count];
+        for (std::size_t i = 0; i < count; ++i) numbers[i] = of[i][lane];
         found[lane] = coverage_of_numbers(row, numbers);
     }
     return Batch::load(found);
