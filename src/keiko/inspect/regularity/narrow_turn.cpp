@@ -19,10 +19,6 @@ constexpr double narrow_cone = 0.25;
 /// Share of the negligible length below which a part is not cut further.
 constexpr double finest = 1.0 / 16;
 
-Vec2 clamped(const Vec2& uv) {
-    return {std::clamp(uv.x, 0.0, 1.0), std::clamp(uv.y, 0.0, 1.0)};
-}
-
 class TurnSearch {
 public:
     TurnSearch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
@@ -98,7 +94,8 @@ private:
             constexpr int most_doublings = 20;
             double reach = 1;
             for (int i = 0; i < most_doublings; ++i, reach *= 2)
-                if (!measure(part, clamped(middle - step * reach), clamped(middle + step * reach)))
+                if (!measure(part, unit_square.nearest(middle - step * reach),
+                             unit_square.nearest(middle + step * reach)))
                     break;
         }
     }

@@ -19,6 +19,10 @@ double length_of(std::span<const SeamPart> parts, const std::vector<std::size_t>
     return length;
 }
 
+std::array<SeamEnd, 2> ends_of(const SeamProbe& probe, const SeamPart& part) {
+    return {end_of(probe, part, false), end_of(probe, part, true)};
+}
+
 class StretchMaker {
 public:
     StretchMaker(std::span<const SeamProbe> probes, const StretchLimits& limits,
@@ -56,19 +60,11 @@ private:
 std::vector<std::vector<std::size_t>> StretchMaker::groups() const {
     const double reach = std::max(limits_.join, limits_.negligible);
     std::vector<std::array<SeamEnd, 2>> ends;
-    for (const SeamPart& part : parts_)
-        ends.push_back(
-            {end_of(probes_[part.piece], part, false), end_of(probes_[part.piece], part, true)});
-    const auto touch = [&](std::size_t i, std::size_t j) {
-        for (const SeamEnd& x : ends[i])
-            for (const SeamEnd& y : ends[j])
-                if (goes_on(x, y, reach)) return true;
-        return false;
-    };
+    for (const SeamPart& part : parts_) ends.push_back(ends_of(probes_[part.piece], part));
     DisjointSets sets(parts_.size());
     for (std::size_t i = 0; i < parts_.size(); ++i)
         for (std::size_t j = 0; j < i; ++j)
-            if (parts_[i].kind == parts_[j].kind && touch(i, j)) sets.join(i, j);
+            if (parts_[i].kind == parts_[j].kind && touch(ends[i], ends[j], reach)) sets.join(i, j);
     std::map<std::size_t, std::vector<std::size_t>> by_root;
     for (std::size_t i = 0; i < parts_.size(); ++i) by_root[sets.root(i)].push_back(i);
     std::vector<std::vector<std::size_t>> result;
@@ -120,14 +116,11 @@ void StretchMaker::add_run_out(std::size_t crease, bool forward, double longest)
 double StretchMaker::length_beyond(std::size_t crease) const {
     if (!beyond_) return 0;
     const double reach = std::max(limits_.join, limits_.negligible);
-    const auto ends_of_part = [](const SeamProbe& probe, const SeamPart& part) {
-        return std::array{end_of(probe, part, false), end_of(probe, part, true)};
-    };
     std::vector<std::array<SeamEnd, 2>> reached;
     for (const std::vector<std::size_t>& group : groups())
         if (std::find(group.begin(), group.end(), crease) != group.end())
             for (const std::size_t i : group)
-                reached.push_back(ends_of_part(probes_[parts_[i].piece], parts_[i]));
+                reached.push_back(ends_of(probes_[parts_[i].piece], parts_[i]));
     struct Beyond {
         std::array<SeamEnd, 2> ends;
         double length = 0;
@@ -135,8 +128,7 @@ double StretchMaker::length_beyond(std::size_t crease) const {
     std::vector<Beyond> left;
     for (const SeamProbe& probe : beyond_())
         for (const SeamPart& part : partition_seam(probe, 0, limits_))
-            if (part.kind == SeamClass::crease)
-                left.push_back({ends_of_part(probe, part), part.length});
+            if (part.kind == SeamClass::crease) left.push_back({ends_of(probe, part), part.length});
     double length = 0;
     for (std::size_t i = 0; i < reached.size(); ++i)
         std::erase_if(left, [&, from = reached[i]](const Beyond& part) {
