@@ -76,11 +76,8 @@ private:
     }
 
     bool is_at_tip(const Part& part) const {
-        if (part.cell.size() > negligible_) return false;
-        const Vec3 place = part.patch->position(part.cell.uv().center());
-        for (const Vec3& tip : part.patch->tips())
-            if ((tip - place).length() <= 3 * negligible_) return true;
-        return false;
+        return part.cell.size() <= negligible_ &&
+               part.patch->is_at_tip(part.patch->position(part.cell.uv().center()));
     }
 
     bool is_material(const Part& part, const Vec2& uv) const {

@@ -31,12 +31,18 @@ NormalPatch::NormalPatch(const SurfaceModel& model, std::uint32_t patch, const A
     : placed_(model, patch, placed),
       degree_u_(model.patches[patch].degree_u),
       degree_v_(model.patches[patch].degree_v),
-      field_(without_zero_sides(normal_field(view(), placed_.rounding))) {
+      field_(without_zero_sides(normal_field(view(), placed_.rounding))),
+      negligible_(negligible) {
     for (const bool by_u : {true, false})
         for (const bool upper : {false, true}) {
             const Box3 side = side_box(view(), by_u, upper);
             if (side.size() <= negligible) tips_.push_back(placed_.middle + side.center());
         }
+}
+
+bool NormalPatch::is_at_tip(const Vec3& place) const {
+    return std::any_of(tips_.begin(), tips_.end(),
+                       [&](const Vec3& tip) { return (tip - place).length() <= 3 * negligible_; });
 }
 
 Vec3 NormalPatch::position(const Vec2& uv) const {

@@ -29,11 +29,14 @@ public:
     std::optional<Vec3> normal(const Vec2& uv) const;
     /// The sides that are points: world, mm.
     const std::vector<Vec3>& tips() const { return tips_; }
+    /// True if a place, world, mm, lies within three times the negligible length of such a side.
+    bool is_at_tip(const Vec3& place) const;
 
 private:
     PlacedPatch placed_;
     int degree_u_, degree_v_;
     FieldTriple field_;
+    double negligible_; ///< mm
     std::vector<Vec3> tips_;
 };
 

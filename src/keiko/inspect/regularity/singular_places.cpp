@@ -126,19 +126,13 @@ private:
             if (!over) return false;
             // At a point that is a side, borders in files cross by what their digits leave.
             const bool folds = over->turns_over && (over->wide || patch.tips().empty());
-            if (folds || !is_at_tip(patch, over->place)) add(*over, folds);
+            if (folds || !patch.is_at_tip(over->place)) add(*over, folds);
             return over->turns_over;
         }
-        if (is_at_tip(patch, patch.position(uv.center()))) return true;
+        if (patch.is_at_tip(patch.position(uv.center()))) return true;
         const auto found = break_about(patch, uv, near, material_of(patch));
         if (found && found->angle > limits_.angle) add(*found, found->turns_over);
         return true;
-    }
-
-    bool is_at_tip(const NormalPatch& patch, const Vec3& place) const {
-        return std::any_of(patch.tips().begin(), patch.tips().end(), [&](const Vec3& tip) {
-            return (tip - place).length() <= 3 * limits_.negligible;
-        });
     }
 
     void add(const NormalBreak& found, bool folds) {
