@@ -1,4 +1,4 @@
-#include "keiko/inspect/flaws/dent_depth.h"
+#include "keiko/inspect/flaws/reference_form.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>
@@ -44,7 +44,7 @@ TEST(ReferenceForm, FollowsABallWhereItMayBeBent) {
         heights.push_back({x, y, std::sqrt(1e4 - x * x - y * y) - 100 - dent, 1});
     }
     const auto flat = ReferenceForm::fit(heights, 75),
-               bent = ReferenceForm::fit(heights, 75, BaseKind::bent);
+               bent = ReferenceForm::fit(heights, 75, FormKind::bent);
     ASSERT_TRUE(flat && bent);
     EXPECT_GT(flat->origin_bound(), 0.02);
     EXPECT_LT(bent->origin_bound(), 1e-3);

@@ -1,5 +1,7 @@
 #include "keiko/inspect/flaws/dent_depth.h"
 
+#include "keiko/inspect/flaws/reference_form.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,7 +23,7 @@ struct DentForm {
 constexpr std::array<double, 4> dent_reaches{0.8165, 1, 1.2583, 1.6073};
 
 std::vector<ReferenceForm> fits(std::span<const FormHeight> heights, double half_window,
-                                BaseKind kind, BaseDomain domain) {
+                                FormKind kind, FormDomain domain) {
     std::vector<ReferenceForm> found;
     for (const double share : dent_reaches)
         if (const auto base = ReferenceForm::fit(heights, share * half_window, kind, domain))
@@ -51,9 +53,9 @@ double bound_of(std::span<const ReferenceForm> kind, std::size_t index,
 /// the bounds of a wider one, with the effect of the scatter about the fit. It is nullopt if no two
 /// of a kind can be fitted.
 std::optional<DentForm> dent_form(std::span<const FormHeight> heights, double half_window,
-                                  BaseDomain domain = BaseDomain::disc) {
-    const std::vector<ReferenceForm> flat = fits(heights, half_window, BaseKind::flat, domain);
-    const std::vector<ReferenceForm> bent = fits(heights, half_window, BaseKind::bent, domain);
+                                  FormDomain domain = FormDomain::disc) {
+    const std::vector<ReferenceForm> flat = fits(heights, half_window, FormKind::flat, domain);
+    const std::vector<ReferenceForm> bent = fits(heights, half_window, FormKind::bent, domain);
     std::optional<DentForm> best;
     const auto consider = [&](const std::vector<ReferenceForm>& kind,
                               const std::vector<ReferenceForm>& other) {
@@ -169,7 +171,7 @@ std::optional<DentDepth> depth_along(const FaceAdjacency& faces, const SheetPoin
     const auto from = faces.frame(at, ruling);
     if (!from) return std::nullopt;
     const std::vector<FormHeight> heights = heights_along(faces, at, *from, reach);
-    const auto form = dent_form(heights, reach, BaseDomain::line);
+    const auto form = dent_form(heights, reach, FormDomain::line);
     if (!form) return std::nullopt;
     const auto ahead =
         std::count_if(heights.begin(), heights.end(), [](const FormHeight& h) { return h.x > 0; });

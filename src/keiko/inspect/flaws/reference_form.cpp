@@ -1,4 +1,4 @@
-#include "keiko/inspect/flaws/dent_depth.h"
+#include "keiko/inspect/flaws/reference_form.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,93 +7,16 @@
 namespace keiko {
 namespace {
 
-constexpr std::size_t n = ReferenceForm::term_count;
-using Terms = std::array<double, n>;
-
-constexpr std::size_t line_terms = 5;
-
-/// 1; x, y; xx, xy, yy; ... On a line 1, x, xx, ...
-Terms powers(double x, double y, BaseDomain domain) {
-    Terms t{1};
-    if (domain == BaseDomain::line) {
-        for (std::size_t k = 1; k < line_terms; ++k) t[k] = t[k - 1] * x;
-        return t;
-    }
-    std::size_t index = 0;
-    std::array<double, 5> px{1}, py{1};
-    for (std::size_t k = 1; k < 5; ++k) px[k] = px[k - 1] * x, py[k] = py[k - 1] * y;
-    for (std::size_t degree = 0; degree < 5; ++degree)
-        for (std::size_t k = 0; k <= degree; ++k) t[index++] = px[degree - k] * py[k];
-    return t;
-}
-
-std::size_t count_of(BaseDomain domain) {
-    return domain == BaseDomain::line ? line_terms : n;
-}
-
-double dot(const Terms& a, const Terms& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < n; ++i) sum += a[i] * b[i];
-    return sum;
-}
-
 /// The principal curvature at the origin that is larger in size, over a disc of radius 1.
-double largest_bend(const Terms& t, BaseDomain domain) {
-    if (domain == BaseDomain::line) return 2 * t[2];
+double largest_bend(const FormTerms& t, FormDomain domain) {
+    if (domain == FormDomain::line) return 2 * t[2];
     const double mean = t[3] + t[5], half = std::hypot(t[3] - t[5], t[4]);
     return mean + std::copysign(half, mean);
 }
 
-/// Weighted least squares by Cholesky's decomposition of the normal equations.
-class Fit {
-public:
-    /// `count`: of the terms, the others are 0.
-    explicit Fit(std::size_t count) : count_(count) {}
-
-    void add(const Terms& t, double z, double weight) {
-        for (std::size_t i = 0; i < count_; ++i) {
-            for (std::size_t j = 0; j <= i; ++j) matrix_[i][j] += weight * t[i] * t[j];
-            right_[i] += weight * t[i] * z;
-        }
-    }
-    /// Decomposes the matrix, after which nothing can be added; false where it is singular.
-    bool decompose() {
-        for (std::size_t i = 0; i < count_; ++i)
-            for (std::size_t j = 0; j <= i; ++j) {
-                double sum = matrix_[i][j];
-                for (std::size_t k = 0; k < j; ++k) sum -= matrix_[i][k] * matrix_[j][k];
-                constexpr double singular = 1e-12;
-                if (i == j && !(sum > singular * matrix_[i][i])) return false;
-                matrix_[i][j] = i == j ? std::sqrt(sum) : sum / matrix_[j][j];
-            }
-        return true;
-    }
-    /// The terms of the heights added.
-    Terms solution() const { return solved(right_); }
-    /// Weights of the heights' terms at the origin: the solution for a right side of (1, 0, ...).
-    Terms at_origin() const { return solved({1}); }
-
-private:
-    Terms solved(Terms t) const {
-        for (std::size_t i = 0; i < count_; ++i) {
-            for (std::size_t k = 0; k < i; ++k) t[i] -= matrix_[i][k] * t[k];
-            t[i] /= matrix_[i][i];
-        }
-        for (std::size_t i = count_; i-- > 0;) {
-            for (std::size_t k = i + 1; k < count_; ++k) t[i] -= matrix_[k][i] * t[k];
-            t[i] /= matrix_[i][i];
-        }
-        return t;
-    }
-
-    std::size_t count_;
-    std::array<Terms, n> matrix_{}; ///< the lower half
-    Terms right_{};
-};
-
-/// Heights over a disc of radius 1, with their terms computed.
+/// Height over a disc of radius 1, with the powers of its place.
 struct Place {
-    Terms terms;
+    FormPowers powers;
     double z, weight;
 };
 
@@ -103,116 +26,131 @@ double median(std::vector<double> values) {
     return *middle;
 }
 
+constexpr double smallest = 1e-9; ///< mm, about what rounding leaves
+
+/// Tukey's biweight of a distance, by the spread of all.
+class Biweight {
+public:
+    explicit Biweight(double spread) : reach_(6 * spread + smallest) {}
+    double operator()(double distance) const {
+        const double off = distance / reach_;
+        const double share = std::max(0.0, 1 - off * off);
+        return share * share;
+    }
+
+private:
+    double reach_;
+};
+
 class Reweighted {
 public:
-    Reweighted(std::vector<Place> places, BaseDomain domain)
-        : places_(std::move(places)), count_(count_of(domain)) {}
+    Reweighted(std::vector<Place> places, FormDomain domain)
+        : places_(std::move(places)), domain_(domain) {}
 
-    /// Terms by least squares.
-    std::optional<Terms> all() const {
-        return solved([](const Place&) { return 1.0; });
+    /// FormTerms by least squares.
+    std::optional<FormTerms> all() const {
+        return solved([](double) { return 1.0; }, std::vector<double>(places_.size()));
     }
-    std::optional<Terms> majority() const {
-        std::optional<Terms> t = all();
-        t = repeated(t, [this](const Terms& last, double spread) { // the smallest sum of distances
+    std::optional<FormTerms> majority() const {
+        constexpr double roughly = 1e-2, closely = 1e-4; // of the spread
+        std::optional<FormTerms> t = all();
+        // The smallest sum of distances, whence the biweight begins.
+        t = repeated(t, roughly, [](double spread) {
             const double least = 1e-3 * spread + smallest;
-            return solved([&, least](const Place& place) {
-                return 1 / std::max(std::abs(distance(place, last)), least);
-            });
+            return [least](double off) { return 1 / std::max(std::abs(off), least); };
         });
-        return repeated(t, [this](const Terms& last, double spread) {
-            const double reach = biweight_reach(spread);
-            return solved([&](const Place& place) { return biweight(place, last, reach); });
-        });
+        return repeated(t, closely, [](double spread) { return Biweight(spread); });
     }
     /// ReferenceForm::origin_bound of these terms.
-    std::optional<double> origin_bound(const Terms& t) const {
-        const double reach = biweight_reach(spread(t));
-        const auto fit = weighted([&](const Place& place) { return biweight(place, t, reach); });
+    std::optional<double> origin_bound(const FormTerms& t) const {
+        const std::vector<double> off = distances(t);
+        const Biweight weight_of(spread(off));
+        const auto fit = weighted(weight_of, off);
         if (!fit) return std::nullopt;
-        const Terms origin = fit->at_origin();
+        const FormTerms origin = fit->at_origin();
         double squares = 0, weights = 0, lebesgue = 0;
-        for (const Place& place : places_) {
-            const double weight = place.weight * biweight(place, t, reach);
-            const double off = distance(place, t);
-            squares += weight * off * off, weights += weight;
-            lebesgue += weight * std::abs(dot(origin, place.terms));
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const double weight = places_[i].weight * weight_of(off[i]);
+            squares += weight * off[i] * off[i], weights += weight;
+            lebesgue += weight * std::abs(height(origin, places_[i].powers));
         }
         constexpr double largest = 1.5; // about the root of the mean square, of smooth deviations
         return (1 + lebesgue) * largest * std::sqrt(squares / weights);
     }
 
 private:
-    static constexpr double smallest = 1e-9; ///< mm, about what rounding leaves
-
-    static double biweight_reach(double spread) { return 6 * spread + smallest; }
-    static double distance(const Place& place, const Terms& t) {
-        return place.z - dot(place.terms, t);
-    }
-    /// Tukey's biweight.
-    static double biweight(const Place& place, const Terms& t, double reach) {
-        const double off = distance(place, t) / reach;
-        const double share = std::max(0.0, 1 - off * off);
-        return share * share;
+    static double spread(const std::vector<double>& off) {
+        std::vector<double> sizes;
+        sizes.reserve(off.size());
+        for (const double distance : off) sizes.push_back(std::abs(distance));
+        return median(std::move(sizes));
     }
 
-    /// Improves terms until they hardly change.
-    template <class Next>
-    std::optional<Terms> repeated(std::optional<Terms> t, const Next& next) const {
-        constexpr int rounds = 40;     // the weight of a dent's rim fades slowly
-        constexpr double close = 1e-4; // of the spread
+    /// Improves terms until they change by less than a share of the spread. `weights`: the weight
+    /// of a distance, by the spread.
+    template <class Weights>
+    std::optional<FormTerms> repeated(std::optional<FormTerms> t, double share,
+                                      const Weights& weights) const {
+        constexpr int rounds = 40; // the weight of a dent's rim fades slowly
         for (int i = 0; i < rounds && t; ++i) {
-            const Terms last = *t;
-            const double wide = spread(last);
-            t = next(last, wide);
-            if (t && largest_change(*t, last) < close * wide + smallest / 10) break;
+            const FormTerms last = *t;
+            const std::vector<double> off = distances(last);
+            const double wide = spread(off);
+            t = solved(weights(wide), off);
+            if (t && largest_change(*t, last) < share * wide + smallest / 10) break;
         }
         return t;
     }
-    static double largest_change(const Terms& a, const Terms& b) {
+    static double largest_change(const FormTerms& a, const FormTerms& b) {
         double largest = 0;
-        for (std::size_t i = 0; i < n; ++i) largest = std::max(largest, std::abs(a[i] - b[i]));
+        for (std::size_t i = 0; i < a.size(); ++i)
+            largest = std::max(largest, std::abs(a[i] - b[i]));
         return largest;
     }
-    /// The weighted fit; nullopt if it is singular.
+    /// Of the heights from the form, mm.
+    std::vector<double> distances(const FormTerms& t) const {
+        std::vector<double> off;
+        off.reserve(places_.size());
+        for (const Place& place : places_) off.push_back(place.z - height(t, place.powers));
+        return off;
+    }
+    /// The fit weighted by the distances; nullopt if it is singular.
     template <class WeightOf>
-    std::optional<Fit> weighted(const WeightOf& weight_of) const {
-        Fit fit(count_);
-        for (const Place& place : places_)
-            fit.add(place.terms, place.z, place.weight * weight_of(place));
+    std::optional<PolynomialFit> weighted(const WeightOf& weight_of,
+                                          const std::vector<double>& off) const {
+        PolynomialFit fit(domain_);
+        for (std::size_t i = 0; i < places_.size(); ++i) {
+            const double weight = places_[i].weight * weight_of(off[i]);
+            if (weight > 0) fit.add(places_[i].powers, places_[i].z, weight);
+        }
         if (!fit.decompose()) return std::nullopt;
         return fit;
     }
     template <class WeightOf>
-    std::optional<Terms> solved(const WeightOf& weight_of) const {
-        const auto fit = weighted(weight_of);
+    std::optional<FormTerms> solved(const WeightOf& weight_of,
+                                    const std::vector<double>& off) const {
+        const auto fit = weighted(weight_of, off);
         if (!fit) return std::nullopt;
         return fit->solution();
     }
-    double spread(const Terms& t) const {
-        std::vector<double> distances;
-        distances.reserve(places_.size());
-        for (const Place& place : places_) distances.push_back(std::abs(distance(place, t)));
-        return median(std::move(distances));
-    }
 
     std::vector<Place> places_;
-    std::size_t count_;
+    FormDomain domain_;
 };
 
 } // namespace
 
 std::optional<ReferenceForm> ReferenceForm::fit(std::span<const FormHeight> heights, double reach,
-                                                BaseKind kind, BaseDomain domain) {
+                                                FormKind kind, FormDomain domain) {
     std::vector<Place> places;
     for (const FormHeight& h : heights)
         if (std::hypot(h.x, h.y) < reach)
-            places.push_back({powers(h.x / reach, h.y / reach, domain), h.z, h.weight});
-    if (places.size() < 2 * count_of(domain)) return std::nullopt;
+            places.push_back({powers_at(h.x / reach, h.y / reach, domain), h.z, h.weight});
+    if (places.size() < 2 * term_count(domain)) return std::nullopt;
     ReferenceForm base;
     base.reach_ = reach, base.domain_ = domain;
     constexpr int rounds = 4; // levelled heights give the curvature more accurately
-    for (int i = 0; kind == BaseKind::bent && i < rounds; ++i) {
+    for (int i = 0; kind == FormKind::bent && i < rounds; ++i) {
         std::vector<Place> levelled = places;
         for (Place& place : levelled) place.z = base.levelled(place.z);
         const auto rough = Reweighted(std::move(levelled), domain).all();
@@ -229,7 +167,7 @@ std::optional<ReferenceForm> ReferenceForm::fit(std::span<const FormHeight> heig
 }
 
 double ReferenceForm::offset(const FormHeight& h) const {
-    return levelled(h.z) - dot(terms_, powers(h.x / reach_, h.y / reach_, domain_));
+    return levelled(h.z) - height(terms_, powers_at(h.x / reach_, h.y / reach_, domain_));
 }
 
 } // namespace keiko
