@@ -71,6 +71,24 @@ class Inspect(KeikoTest):
         rest = {"high-front-marked.png", "rig.toml", "report.html", "report.json", ".keiko-results"}
         self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, rest | set(names))
 
+    def test_close_ups_are_as_many_as_requested(self):
+        def close_ups(*options):
+            return self.inspect("shut-line.step", "--view", "top", *options)[1]["close_ups"]
+
+        usual = close_ups()
+        self.assertIn("seam", usual[0])
+        self.assertEqual(len({(kind, one.get(kind)) for one in usual
+                              for kind in ("seam", "face", "crossing") if kind in one}), len(usual))
+        self.assertGreater(len(usual), 1)
+        self.assertEqual([one["seam"] for one in close_ups("--close-ups", "1")], [usual[0]["seam"]])
+        self.assertEqual(close_ups("--close-ups", "0"), [])
+
+    def test_joints_are_in_the_report_where_requested(self):
+        self.assertNotIn("joints", self.inspect("shut-line.step", "--view", "top")[1])
+        report = self.inspect("shut-line.step", "--view", "top", "--joints")[1]
+        self.assertEqual(len(report["joints"]), 1)
+        self.assertIn("<h2>Joints</h2>", (self.folder / "out/report.html").read_text())
+
     def test_pictures_in_candela_are_written_with_the_layers_asked_for(self):
         self.inspect("seam-g0-gap.step", "--aov", "normal,depth")
         exr = (self.folder / "out/high-front.exr").read_bytes()

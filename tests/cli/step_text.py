@@ -84,6 +84,23 @@ class StepText:
             reach = math.dist(self.point(edge), self.point(inner))
             self.move(inner, 0, 0, reach * math.tan(math.radians(degrees)))
 
+    def kink_at_side(self, face: int, degrees: float, at_end: bool):
+        """Turns the tangents across the middle of the border at which the second parameter begins or ends.
+        The two points that move change curvatures at the borders beside it, and no border."""
+        net = self.net(self.surface_of(face))
+        rows = [row[::-1] for row in net] if at_end else net
+        middle = len(rows) // 2
+        for before, row, after in zip(rows, rows[1:], rows[2:]):
+            if row not in (rows[middle - 1], rows[middle]):
+                continue
+            edge, inner = self.point(row[0]), self.point(row[1])
+            across = [b - a for a, b in zip(edge, inner)]
+            along = [b - a for a, b in zip(self.point(before[0]), self.point(after[0]))]
+            normal = [across[1] * along[2] - across[2] * along[1], across[2] * along[0] - across[0] * along[2],
+                      across[0] * along[1] - across[1] * along[0]]
+            reach = math.hypot(*across) * math.tan(math.radians(degrees)) / math.hypot(*normal)
+            self.move(row[1], *(reach * n for n in normal))
+
     def change_weight(self, face: int, factor: float):
         """Of the middle control point."""
         surface = self.surface_of(face)

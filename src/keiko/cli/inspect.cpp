@@ -94,6 +94,8 @@ int inspect(InspectArguments arguments, const Job& job) {
     warn_of_acceptances(whole);
     if (const std::string warning = nothing_judged(result.report.inspection); !warning.empty())
         log_warning(warning);
+    if (const std::string warning = joints_not_judged(whole); !warning.empty())
+        log_warning(warning);
     if (result.combs) log_warnings(result.combs->remarks);
     print_summary(result.report, arguments.output);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
@@ -120,6 +122,11 @@ void add_inspect(CLI::App& app, Session& session) {
                     "writes each picture as an .exr, too, with these layers, comma-separated: "
                     "luminance, normal, uv, face, patch, depth, c_plane_uv, illuminance, curvature")
         ->check(not_empty());
+    command
+        .add_option("--close-ups", arguments->options.close_ups,
+                    "close-up pictures at most: first the faults to mend first, then the worst")
+        ->check(CLI::Range(0, 1000))
+        ->capture_default_str();
     command.add_option("--rig", arguments->rig, "rig file, or auto: place the lamps")
         ->capture_default_str();
     command.add_option("--preset", arguments->preset,
@@ -127,6 +134,8 @@ void add_inspect(CLI::App& app, Session& session) {
     command.add_option("--join", arguments->options.join, "mm within which borders are a seam")
         ->check(number_between(1e-6, 1000))
         ->capture_default_str();
+    command.add_flag("--joints", arguments->options.joints,
+                     "gap and flush between panels that stand apart, by the preset's [joint]");
     arguments->files.add_to(command);
     arguments->combs.add_to(command);
     arguments->symmetry.add_to(command, true);

@@ -4,8 +4,11 @@
 #include "keiko/compare/shape/symmetry.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
+#include "keiko/film/tone_mapping.h"
+#include "keiko/inspect/joint_checks.h"
 #include "keiko/report/content/report.h"
 #include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/close_ups.h"
 #include "keiko/workflow/find_lines.h"
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/report_pictures.h"
@@ -79,7 +82,7 @@ void add_triage(Report& report, const Scene& scene, const InspectResult& result,
     report.profiles = profiles_of(scene.model, report.inspection, profiled_seams(report), job);
     const std::vector<ShownItem> shown = shown_items(report);
     for (std::size_t i = 0; i < views.size(); ++i)
-        report.pictures.push_back(report_picture(views[i].name, result.films[i].second,
+        report.pictures.push_back(report_picture(views[i].name, tone_mapped(result.films[i].second),
                                                  markers_in(scene, shown, views[i].camera)));
 }
 
@@ -98,8 +101,8 @@ PictureOptions without_aovs(PictureOptions options) {
 /// Shares of the time of an inspection, as on the concept car and the hood of `surfaces`.
 struct InspectWeights {
     static constexpr double choosing = 1.5, registering = 1, placing = 3, limiting = 0.5,
-                            measuring = 18, symmetry = 1, picture = 2.5, lines = 3, triage = 1,
-                            combs = 1, close_ups = 8;
+                            measuring = 18, symmetry = 1, joints = 1, picture = 2.5, lines = 3,
+                            triage = 1, combs = 1, close_ups = 3;
 };
 
 constexpr int automatic_views = 3;
@@ -110,7 +113,7 @@ double weight_of(const InspectOptions& options) {
         options.views.empty() ? automatic_views : static_cast<double>(options.views.size());
     return W::choosing + W::placing + W::limiting + W::measuring + W::symmetry +
            (W::picture + W::lines) * views + W::triage + W::close_ups +
-           (options.register_hits ? W::registering : 0) +
+           (options.joints ? W::joints : 0) + (options.register_hits ? W::registering : 0) +
            (has_curves(options.combs) ? W::combs : 0);
 }
 
@@ -146,6 +149,7 @@ Inspection measured(const Scene& scene, const InspectOptions& options, JobSteps&
     Inspection found = inspect(scene.model, limits, options.join,
                                steps.next(InspectWeights::measuring, inspection_stages));
     check_symmetry(scene.model, found, steps.next(InspectWeights::symmetry));
+    if (options.joints) check_joints(scene.model, found, steps.next(InspectWeights::joints));
     accept_findings(found, options.acceptances);
     found.facts.tracing = trace_facts(scene.tracer.statistics());
     return found;
@@ -186,10 +190,10 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
         result.report.combs = result.combs->pictures;
         result.report.comb_remarks = result.combs->remarks;
     }
-    const int shown = static_cast<int>(shown_items(result.report).size());
+    const int stages = static_cast<int>(std::max<std::size_t>(options.close_ups, 1));
     result.report.close_ups =
         close_ups(scene, result.rig, result.report, views, without_aovs(options.picture),
-                  steps.next(InspectWeights::close_ups, shown, "close-ups"));
+                  options.close_ups, steps.next(InspectWeights::close_ups, stages, "close-ups"));
     result.aovs = options.picture.aovs;
     return result;
 }

@@ -7,6 +7,7 @@
 #include "keiko/workflow/check_models.h"
 #include "keiko/workflow/place_scene.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -25,8 +26,10 @@ struct InspectOptions {
     /// Symmetry of placed lamps, used if views and body are symmetric.
     SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
     PictureOptions picture;       ///< of the pictures; with AOVs each is written as an EXR, too
+    std::size_t close_ups = 12;   ///< close-up pictures at most, those of the first screen first
     bool register_hits = false;   ///< of the views, for InspectResult::hits
     CombOptions combs{};          ///< sections and iso-curves; none unless requested
+    bool joints = false;          ///< of panels that stand apart, too
     AcceptanceList acceptances{}; ///< findings that have no part in the verdict
     Scope scope{};                ///< part of the body that is judged
 };

@@ -1,10 +1,10 @@
 #include "keiko/workflow/report_pictures.h"
 
-#include "keiko/base/units.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/seen_place.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,95 +13,6 @@
 
 namespace keiko {
 namespace {
-
-constexpr int close_up_width = 360, close_up_height = 240;
-
-/// The hit at which a place of the body is visible to the camera; nullopt if something hides it.
-std::optional<Hit> seen_at(const Scene& scene, const Camera& camera, const Vec3& place) {
-    const auto pixel = project(camera, place);
-    if (!pixel || pixel->x < 0 || pixel->y < 0 || pixel->x >= camera.width ||
-        pixel->y >= camera.height)
-        return std::nullopt;
-    const double near = 1e-3 * scene.tracer.bounds().size();
-    // Borders lie at the rim of what can be hit: rays beside them are tested, too.
-    for (const Vec2& beside : {Vec2(0, 0), Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)}) {
-        const Ray ray = camera.ray(pixel->x + beside.x, pixel->y + beside.y);
-        auto hit = scene.tracer.nearest(ray);
-        const double depth = (place - ray.origin).dot(ray.direction);
-        if (hit && hit->t > depth - std::max(near, 0.02 * depth)) return hit;
-    }
-    return std::nullopt;
-}
-
-/// Cosine between a view's direction and the normal of a place, 0 to 1; 0 where it is hidden.
-double squareness(const Scene& scene, const Camera& camera, const Vec3& place) {
-    const auto hit = seen_at(scene, camera, place);
-    if (!hit) return 0;
-    return std::abs(hit->normal.dot((place - camera.eye).normalized()));
-}
-
-/// Camera at the same viewpoint, turned to the place and zoomed in.
-Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place) {
-    Camera camera = view;
-    camera.target = place;
-    camera.width = close_up_width;
-    camera.height = close_up_height;
-    const double height = 0.08 * scene.tracer.bounds().size();
-    const double distance = (place - view.eye).length();
-    camera.vertical_fov = radians_to_degrees(2 * std::atan(height / (2 * distance)));
-    camera.orthographic_height = height;
-    return camera;
-}
-
-/// Subject of a close-up.
-struct Finding {
-    CloseUp::Of of;
-    std::uint32_t index;
-    Vec3 place;
-};
-
-/// Adds the faces of checks, each once.
-class FaceFindings {
-public:
-    explicit FaceFindings(const Inspection& inspection) : shown_(inspection.faces.size()) {}
-
-    void add(const std::vector<Check>& checks, std::vector<Finding>& all) {
-        for (const Check& check : checks)
-            if (check.face != no_index) add(check.face, check.worst.place, all);
-    }
-    void add(std::uint32_t face, const Vec3& place, std::vector<Finding>& all) {
-        constexpr std::size_t most = 10;
-        if (shown_[face] || count_ == most) return;
-        shown_[face] = true, ++count_;
-        all.push_back({CloseUp::Of::face, face, place});
-    }
-
-private:
-    std::vector<bool> shown_;
-    std::size_t count_ = 0;
-};
-
-/// The items of the first screen, the worst of the seams, faces and crossings that do not pass, and
-/// faces that deserve a look.
-std::vector<Finding> worst_findings(const Report& report) {
-    constexpr std::size_t most_seams = 20, most_crossings = 10;
-    const Inspection& inspection = report.inspection;
-    std::vector<Finding> all;
-    for (const std::uint32_t seam : first_seams(report, most_seams))
-        all.push_back({CloseUp::Of::seam, seam, worst_place(inspection.seams[seam])});
-    FaceFindings faces(inspection);
-    for (const ShownItem& item : shown_items(report))
-        if (item.face != no_index) faces.add(item.face, item.place, all);
-    faces.add(inspection.findings, all), faces.add(inspection.looks, all);
-    if (!report.lines) return all;
-    std::uint32_t rank = 0;
-    for (const CrossingPlace& crossing : ranked_crossings(*report.lines)) {
-        const LineCrossing& c = crossing.in(*report.lines);
-        if (*c.verdict == Verdict::pass || rank == most_crossings) break;
-        all.push_back({CloseUp::Of::crossing, rank++, c.place});
-    }
-    return all;
-}
 
 /// Share of the distance to the camera: a curve no farther behind the surface at a pixel counts as
 /// visible.
@@ -203,16 +114,15 @@ std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownI
     std::vector<PictureMarker> markers;
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Vec3& place = items[i].place;
-        if (!seen_at(scene, camera, place)) continue;
+        if (!seen_place(scene, camera, place)) continue;
         const Vec2 pixel = free_place(*project(camera, place), markers);
         markers.push_back({static_cast<int>(i + 1), pixel.x, pixel.y});
     }
     return markers;
 }
 
-ReportPicture report_picture(const std::string& title, const Film& film,
+ReportPicture report_picture(const std::string& title, const Image& display,
                              const std::vector<PictureMarker>& markers) {
-    const Image display = tone_mapped(film);
     return {.title = title,
             .caption = "",
             .file_name = title + ".png",
@@ -227,25 +137,6 @@ Image marked_image(const Film& film, const std::vector<PictureMarker>& markers) 
     for (const PictureMarker& marker : markers)
         overlay.markers.push_back({{marker.x, marker.y}, std::to_string(marker.number)});
     return with_overlay(tone_mapped(film), overlay);
-}
-
-std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
-                               std::span<const NamedView> views, const PictureOptions& options,
-                               const Job& job) {
-    std::vector<CloseUp> pictures;
-    for (const Finding& finding : worst_findings(report)) {
-        const Vec3& place = finding.place;
-        const auto best = std::max_element(
-            views.begin(), views.end(), [&](const NamedView& a, const NamedView& b) {
-                return squareness(scene, a.camera, place) < squareness(scene, b.camera, place);
-            });
-        if (best == views.end() || squareness(scene, best->camera, place) == 0) continue;
-        const Camera camera = close_up_camera(scene, best->camera, place);
-        const Film film = render_view(scene, rig, camera, options, job);
-        const std::string title = "close-up-" + std::to_string(pictures.size() + 1);
-        pictures.push_back({finding.of, finding.index, report_picture(title, film, {})});
-    }
-    return pictures;
 }
 
 std::vector<ReportPicture> curvature_pictures(std::span<const NamedView> views,

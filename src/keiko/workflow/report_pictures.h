@@ -13,19 +13,12 @@ namespace keiko {
 std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownItem> items,
                                       const Camera& camera);
 
-/// The display picture of a film for the report, which draws the markers itself.
-ReportPicture report_picture(const std::string& title, const Film& film,
+/// A display picture for the report, which draws the markers itself.
+ReportPicture report_picture(const std::string& title, const Image& display,
                              const std::vector<PictureMarker>& markers);
 
 /// The display picture of a film with the markers drawn into it.
 Image marked_image(const Film& film, const std::vector<PictureMarker>& markers);
-
-/// Close-up pictures of what the first screen shows, and of the worst seams, faces and crossings of
-/// lines that do not pass. Each is from the view that shows it most squarely; places that no
-/// view shows have none.
-std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
-                               std::span<const NamedView> views, const PictureOptions& options,
-                               const Job& job);
 
 /// Analysis pictures of a body, from the films of its views, which have the look_layers() of a
 /// curvature. Each view has two pictures: the Gaussian curvature, by one scale for all, with the

@@ -94,6 +94,43 @@ TEST(ReportHtml, PlotsTheProfilesOfStretchesThatDoNotPass) {
     EXPECT_NE(report_html(plotted).find("Profiles of further stretches"), std::string::npos);
 }
 
+TEST(ReportHtml, ListsScrapsApartFromOtherStretches) {
+    Report scrapped = report();
+    EXPECT_EQ(report_html(scrapped).find("<h2>Scraps</h2>"), std::string::npos);
+    MeasuredSeam& scrap = scrapped.inspection.seams[2];
+    scrap.scrap = true, scrap.faces = "the scrap";
+    const std::string html = report_html(scrapped);
+    const auto apart = html.find("<h2>Scraps</h2>"), all = html.find("All stretches of seams");
+    ASSERT_NE(apart, std::string::npos);
+    ASSERT_LT(all, apart);
+    EXPECT_EQ(html.substr(all, apart - all).find("the scrap"), std::string::npos);
+    EXPECT_NE(html.find("the scrap", apart), std::string::npos);
+}
+
+TEST(ReportHtml, ListsJointsWithTheirVerdicts) {
+    Report joined = report();
+    EXPECT_EQ(report_html(joined).find("<h2>Joints</h2>"), std::string::npos);
+    Joint joint;
+    joint.names = "face 1 | face 9", joint.length = 123.45, joint.stations.resize(1);
+    JointSection narrow, wide;
+    narrow.gap = 3.25, wide.gap = 4.5;
+    joint.extremes = {wide, narrow, narrow, wide, narrow};
+    joined.inspection.joints = {joint};
+    const auto row = [&] {
+        const std::string html = report_html(joined);
+        return html.substr(html.find("<h2>Joints</h2>"), 2000);
+    };
+    EXPECT_NE(row().find("<span class=\"chip\">fail</span>"), std::string::npos) << "parallelism";
+    EXPECT_NE(row().find("3.250 to 4.500"), std::string::npos);
+    joined.inspection.preset.joint = {.gap = NominalSize{4, 0.6}};
+    EXPECT_NE(row().find("fail"), std::string::npos);
+    joined.inspection.preset.joint.gap->tolerance = 0.8;
+    EXPECT_NE(row().find("<span class=\"chip\">pass</span>"), std::string::npos);
+    EXPECT_NE(row().find("gap mm, 4 ± 0.8 mm"), std::string::npos);
+    joined.inspection.preset.joint = {};
+    EXPECT_NE(row().find("not judged"), std::string::npos);
+}
+
 TEST(ReportHtml, EscapesTheNamesInMessagesThatRowsAreSortedBy) {
     Report with_look = report();
     Check strip;

@@ -41,8 +41,8 @@ inline double height(const FormTerms& terms, const FormPowers& powers) {
     return sum;
 }
 
-/// Weighted least squares by Cholesky's decomposition of the normal equations. Their entries are
-/// sums of weighted powers, of which many entries share each.
+/// Weighted least squares by Cholesky's decomposition of the normal equations. Many of their
+/// entries are the same sum of weighted powers.
 class PolynomialFit {
 public:
     explicit PolynomialFit(FormDomain domain) : domain_(domain), count_(term_count(domain)) {}

@@ -107,7 +107,7 @@ private:
             largest = std::max(largest, std::abs(a[i] - b[i]));
         return largest;
     }
-    /// Of the heights from the form, mm.
+    /// Distances of the heights from the form, mm.
     std::vector<double> distances(const FormTerms& t) const {
         std::vector<double> off;
         off.reserve(places_.size());

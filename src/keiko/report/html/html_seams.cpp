@@ -195,6 +195,19 @@ std::vector<std::string> headings(const CriteriaPreset& preset) {
     return names;
 }
 
+/// The rows of scraps, or of all other stretches; empty without any.
+std::string seam_table(const Report& report, const std::string& title, const std::string& note,
+                       bool scraps) {
+    const std::vector<MeasuredSeam>& seams = report.inspection.seams;
+    const CriteriaPreset& preset = report.inspection.preset;
+    std::string rows;
+    for (std::size_t i = 0; i < seams.size(); ++i)
+        if (seams[i].scrap == scraps) rows += row(report, i, judges_slopes(preset));
+    if (rows.empty()) return "";
+    return "<section><h2>" + title + "</h2>" + note + html_table_head(headings(preset), "faces") +
+           rows + std::string(html_table_end) + "</section>\n";
+}
+
 } // namespace
 
 std::string html_seam_card(const Report& report, std::size_t rank, std::uint32_t index,
@@ -229,13 +242,16 @@ std::string html_more_profiles(const Report& report) {
 }
 
 std::string html_all_seams(const Report& report) {
-    const std::vector<MeasuredSeam>& seams = report.inspection.seams;
-    if (seams.empty()) return "";
-    const CriteriaPreset& preset = report.inspection.preset;
-    std::string html =
-        "<section><h2>All stretches of seams</h2>" + html_table_head(headings(preset), "faces");
-    for (std::size_t i = 0; i < seams.size(); ++i) html += row(report, i, judges_slopes(preset));
-    return html + std::string(html_table_end) + "</section>\n";
+    return seam_table(report, "All stretches of seams", "", false);
+}
+
+std::string html_scraps(const Report& report) {
+    return seam_table(report, "Scraps",
+                      "<p class=\"soft\">Stretches shorter than " +
+                          short_number(report.inspection.preset.negligible) +
+                          " mm. They are no findings one by one, but count together where they "
+                          "stand close.</p>",
+                      true);
 }
 
 } // namespace keiko

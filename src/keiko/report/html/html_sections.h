@@ -48,8 +48,12 @@ std::string html_accepted(const Report& report);
 std::string html_looks(const Report& report);
 /// Share of the surface that the lamps reach.
 std::string html_coverage(const Report& report);
-/// Every seam in a table.
+/// Every stretch of a seam in a table, except the scraps.
 std::string html_all_seams(const Report& report);
+/// The scraps in a table of their own; empty without any.
+std::string html_scraps(const Report& report);
+/// The joints between panels, where they were sought.
+std::string html_joints(const Report& report);
 /// Every face by itself in a table.
 std::string html_faces(const Report& report);
 /// The file, its losses and its repairs.
