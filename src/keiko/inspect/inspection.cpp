@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace keiko {
 namespace {
@@ -130,10 +131,23 @@ std::vector<std::vector<WavinessLimit>> flaw_limits(const Inspection& result) {
     return all;
 }
 
+/// For each face, whether dents and waves are searched on it: those in scope, and those beside
+/// them, from which a dent may reach into the scope.
+std::vector<bool> searched_faces(const Inspection& result) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> beside; // instance and face
+    for (const MeasuredSeam& seam : result.seams)
+        if (result.limits.in_scope(seam.side_a(), seam.side_b()))
+            beside.insert({{seam.instance_a, seam.face_a}, {seam.instance_b, seam.face_b}});
+    std::vector<bool> searched;
+    for (const MeasuredFace& face : result.faces)
+        searched.push_back(face.curvature &&
+                           (face.in_scope || beside.contains({face.instance, face.face})));
+    return searched;
+}
+
 /// Dents and waves, each by the limits of the face on which it is deepest.
 void add_flaws(const SurfaceModel& model, Inspection& result, const Job& job) {
-    std::vector<bool> searched;
-    for (const MeasuredFace& face : result.faces) searched.push_back(face.curvature.has_value());
+    const std::vector<bool> searched = searched_faces(result);
     for (const std::vector<WavinessLimit>& limits : flaw_limits(result)) {
         auto flaws = find_flaws(model, result.seams, result.pieces, searched, limits, job);
         for (std::size_t i = 0; i < flaws.size(); ++i) {

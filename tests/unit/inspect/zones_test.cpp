@@ -7,6 +7,7 @@
 #include "keiko/scene/stricter_limits.h"
 
 #include "tests/support/random.h"
+#include "tests/unit/inspect/dented_panel.h"
 #include "tests/unit/inspect/notched_sheets.h"
 #include "tests/unit/inspect/sheets.h"
 #include <gtest/gtest.h>
@@ -54,11 +55,12 @@ FaceLimits limits(const SurfaceModel& model, CriteriaPreset preset, std::vector<
     return {model, std::move(preset), {.zone = std::move(zone_of), .in_scope = {}, .scope = ""}};
 }
 
-Inspection in_scope(const SurfaceModel& model, std::vector<bool> faces) {
+Inspection in_scope(const SurfaceModel& model, std::vector<bool> faces,
+                    const CriteriaPreset& preset = {}) {
     FaceZones zones;
     zones.zone.assign(faces.size(), no_zone);
     zones.in_scope = std::move(faces), zones.scope = "these";
-    return inspect(model, {model, {}, std::move(zones)});
+    return inspect(model, {model, preset, std::move(zones)});
 }
 
 TEST(Zones, JudgeTheirSeamsAndLeaveTheOthersToTheStricterLimit) {
@@ -222,6 +224,30 @@ TEST(Scope, HasFindingsAtBordersOfItsOwnFaces) {
     ASSERT_EQ(openings(inspect(model)).size(), 1u);
     EXPECT_EQ(openings(in_scope(model, {true, false})), (std::vector<std::uint32_t>{0}));
     EXPECT_EQ(openings(in_scope(model, {false, true})), (std::vector<std::uint32_t>{1}));
+}
+
+/// A dent over a seam is the same with either of its faces in scope as with both: the other one is
+/// searched too.
+TEST(Scope, MeasuresDentsThatReachIntoIt) {
+    const auto height = [](double x, double y) { return (x * x + y * y) / 4000; };
+    const test::RoundDent dent{{2, 0}, 40, 0.06};
+    const SurfaceModel model = test::dented_panel(height, dent, 0);
+    const auto depths = [](const Inspection& inspection, std::uint32_t face) {
+        std::vector<double> found;
+        for (const Flaw& flaw : inspection.faces[face].flaws) found.push_back(flaw.depth.value);
+        return found;
+    };
+    CriteriaPreset preset;
+    preset.look.waviness = {{0.01, 100}};
+    const Inspection whole = inspect(model, preset);
+    const std::uint32_t dented = depths(whole, 0).empty() ? 1 : 0;
+    ASSERT_FALSE(depths(whole, dented).empty());
+    for (const bool first : {true, false}) {
+        const Inspection part = in_scope(model, {first, !first}, preset);
+        EXPECT_EQ(depths(part, dented), depths(whole, dented));
+        const bool counts = first == (dented == 0);
+        EXPECT_EQ(!part.looks.empty(), counts) << "of the face on which it is deepest";
+    }
 }
 
 TEST(Scope, CountsAcceptedFindingsInItAlone) {
