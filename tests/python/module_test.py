@@ -225,6 +225,46 @@ class ModuleTest(unittest.TestCase):
         self.assertEqual(pickle.loads(pickle.dumps(checked)).to_dict(), checked.to_dict())
         self.assertEqual(keiko.check([self.sheets], "class-b").verdict, "fail")
 
+    def test_a_part_is_judged_as_by_the_program(self):
+        path = Path(self.folder.name) / "part.json"
+        part = keiko.check(CAR, faces=["roof*", 7])
+        told("check", CAR, "--faces", "roof*", "--faces", "7", "--json", path, "-q")
+        self.assertEqual(part.to_json(), path.read_text(encoding="utf-8"))
+        with self.assertRaisesRegex(keiko.Error, "no-such-layer"):
+            keiko.check(CAR, layers="no-such-layer")
+        with self.assertRaises(keiko.Error):
+            keiko.check(CAR, colors="blue-ish")
+
+    def test_curves_and_joints_are_those_of_the_program(self):
+        line, folder = ROOT / "surfaces/shut-line.step", Path(self.folder.name)
+        found = keiko.check(line, joints=True, sections="x=100", iso_curves=1, profiles=True)
+        told("check", line, "--joints", "--section", "x=100", "--iso-curves", "1", "--combs", folder / "combs.json",
+             "--profiles", folder / "profiles.json", "--json", folder / "joints.json", "-q")
+        self.assertEqual(found.to_json(), (folder / "joints.json").read_text(encoding="utf-8"))
+        self.assertEqual(found.combs, json.loads((folder / "combs.json").read_text())["curves"])
+        self.assertEqual(found.profiles, json.loads((folder / "profiles.json").read_text())["profiles"])
+        self.assertEqual(len(found.joints), 1)
+        again = pickle.loads(pickle.dumps(found))
+        self.assertEqual((again.combs, again.profiles), (found.combs, found.profiles))
+        plain = keiko.check(line)
+        self.assertEqual((plain.joints, plain.combs, plain.profiles), ([], [], []))
+        report = keiko.inspect(line, views="top", joints=True, sections=["x=100"], close_ups=1)
+        self.assertEqual(report.joints, found.joints)
+        self.assertEqual(len(report.combs), 1)
+        self.assertLessEqual(len(report.to_dict()["close_ups"]), 1)
+
+    def test_accepted_findings_have_no_part_in_the_verdict(self):
+        folder = Path(self.folder.name)
+        (folder / "found.json").write_text(keiko.check(self.sheets).to_json(), encoding="utf-8")
+        held = keiko.accept(folder / "found.json", 1, folder / "accepted.json", why="hidden", who="Ann")
+        self.assertEqual(held, 1)
+        entry, = json.loads((folder / "accepted.json").read_text())["accepted"]
+        self.assertEqual((entry["why"], entry["who"]), ("hidden", "Ann"))
+        accepting = keiko.check(self.sheets, accepted=folder / "accepted.json")
+        self.assertEqual((accepting.verdict, accepting.findings), ("pass", []))
+        with self.assertRaisesRegex(keiko.Error, "until"):
+            keiko.accept(folder / "found.json", 1, folder / "accepted.json", why="again", until="2020-01-01")
+
     def test_inspect_is_that_of_the_program(self):
         out, ours = Path(self.folder.name) / "out", Path(self.folder.name) / "ours"
         told("inspect", self.sheets, "-o", out, "-q", "--view", "top")

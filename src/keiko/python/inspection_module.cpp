@@ -1,3 +1,4 @@
+#include "keiko/api/accept.h"
 #include "keiko/api/check.h"
 #include "keiko/api/inspect.h"
 #include "keiko/api/place.h"
@@ -9,23 +10,52 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <map>
+#include <tuple>
 
 namespace py = pybind11;
 
 namespace keiko::python {
 namespace {
 
-/// The JSON of a check, which Python reads.
-std::string check(const py::object& input, const std::string& preset, double join,
-                  const std::string& unit, const std::string& axes, const py::object& progress,
-                  int threads) {
+/// Sets what check and inspect judge alike, from their keyword arguments. Throws Error naming the
+/// argument.
+template <class Options>
+void set_judging(const py::dict& judging, Options& options) {
+    const auto words = [&](const char* name) {
+        return judging[name].cast<std::vector<std::string>>();
+    };
+    options.preset = preset_by_name_or_file(judging["preset"].cast<std::string>());
+    options.join = options.combs.join = judging["join"].cast<double>();
+    options.scope.selection.faces = words("faces");
+    options.scope.selection.layers = words("layers");
+    options.scope.zones = words("zones");
+    for (const std::string& color : words("colors"))
+        options.scope.selection.colors.push_back(FaceColor::parse(color));
+    for (const std::string& plane : words("sections"))
+        options.combs.planes.push_back(section_plane(plane));
+    options.combs.iso_curves = judging["iso_curves"].cast<int>();
+    options.joints = judging["joints"].cast<bool>();
+    const auto accepted = judging["accepted"].cast<std::optional<std::filesystem::path>>();
+    if (accepted) options.acceptances = read_acceptances(*accepted, date_today());
+}
+
+/// The documents of a check: the inspection, its combs and its profiles; None where none were
+/// requested.
+py::tuple check(const py::object& input, const py::dict& judging, const std::string& unit,
+                const std::string& axes, bool profiles, const py::object& progress, int threads) {
     const std::vector<std::filesystem::path> paths = paths_of(input);
-    return run({progress, threads}, [&](const Job& job) {
-        CheckOptions options;
-        options.preset = preset_by_name_or_file(preset), options.join = join;
-        options.load.unit = unit, options.load.axes = axes;
-        return inspection_json(check_models(paths, options, job).inspection, version());
+    CheckOptions options;
+    set_judging(judging, options);
+    options.load.unit = unit, options.load.axes = axes, options.profiles = profiles;
+    using Text = std::optional<std::string>;
+    const auto [inspection, combs, plots] = run({progress, threads}, [&](const Job& job) {
+        const CheckResult result = check_models(paths, options, job);
+        return std::tuple(
+            inspection_json(result.inspection, version()),
+            result.combs ? Text(result.combs->json) : Text(),
+            profiles ? Text(profiles_json(result.profiles, result.inspection, version())) : Text());
     });
+    return py::make_tuple(inspection, combs, plots);
 }
 
 py::dict bytes_of(const FolderContent& content) {
@@ -35,31 +65,46 @@ py::dict bytes_of(const FolderContent& content) {
 }
 
 /// The files of a report, by name.
-py::dict inspect(const OpenScene& open, const std::string& preset, double join,
+py::dict inspect(const OpenScene& open, const py::dict& judging,
                  const std::vector<std::string>& views,
-                 const std::optional<std::filesystem::path>& rig, const py::object& progress,
-                 int threads) {
+                 const std::optional<std::filesystem::path>& rig, std::size_t close_ups,
+                 const py::object& progress, int threads) {
+    InspectOptions options;
+    set_judging(judging, options);
+    options.views = views, options.rig = rig, options.close_ups = close_ups;
     return bytes_of(run({progress, threads}, [&](const Job& job) {
-        InspectOptions options;
-        options.preset = preset_by_name_or_file(preset), options.join = join;
-        options.views = views, options.rig = rig;
         options.picture = picture_options(*open.scene, options.picture);
         return result_files(".", inspect_scene(*open.scene, options, job));
     }));
 }
 
 /// Writes the files of a report as `keiko inspect` does: earlier results in the folder are
-/// withdrawn, and the rig names its luminaires from there. `base`: the folder from which it does.
-void write_report(const std::filesystem::path& folder,
-                  const std::map<std::string, std::string>& files,
-                  const std::filesystem::path& base) {
-    FolderContent content(files.begin(), files.end());
+/// withdrawn, its own that were changed excepted, and it gets its list of files. `base`: folder
+/// that the files which the report names are relative to.
+void write(const std::filesystem::path& folder, const std::map<std::string, py::bytes>& files,
+           const std::filesystem::path& base) {
+    FolderContent content;
+    for (const auto& [name, bytes] : files) content[name] = bytes;
     if (const auto rig = content.find("rig.toml"); rig != content.end())
-        rig->second = rig_text(parse_rig(rig->second, (base / rig->first).string()), folder);
-    withdraw_results({.files = {}, .folders = {folder}}, {});
+        rig->second = rig_text(parse_rig(rig->second, base / "rig.toml"), folder);
+    withdraw_results({{}, {folder}}, {});
     FileTransaction outputs;
     outputs.add_folder(folder, with_manifest(std::move(content)));
     outputs.write();
+}
+
+/// Adds findings of a report to a file of accepted ones, and returns how many it holds then.
+std::size_t accept(const std::filesystem::path& report, const std::vector<std::size_t>& items,
+                   const std::filesystem::path& output, const std::string& why,
+                   const std::string& who, const std::string& until) {
+    AcceptanceList earlier{{}, date_today()};
+    if (std::filesystem::exists(output)) earlier = read_acceptances(output, earlier.today);
+    const AcceptanceNote note{who, why, earlier.today, until};
+    const AddedAcceptances all = accept_items(earlier, output, report, items, note);
+    FileTransaction outputs;
+    outputs.add(output, acceptances_json(all.entries));
+    outputs.write();
+    return all.entries.size();
 }
 
 } // namespace
@@ -67,7 +112,9 @@ void write_report(const std::filesystem::path& folder,
 void add_inspections(py::module_& module) {
     module.def("check_json", &check);
     module.def("report_files", &inspect);
-    module.def("write_report", &write_report);
+    module.def("write_report", &write);
+    module.def("accept_findings", &accept, py::arg("report"), py::arg("items"), py::arg("output"),
+               py::kw_only(), py::arg("why"), py::arg("who"), py::arg("until") = "");
 }
 
 } // namespace keiko::python

@@ -35,7 +35,7 @@ std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 
 /// The class Scene, what it traces, and the function open_scene.
 void add_scenes(pybind11::module_& module);
-/// The functions check_json and report_files, and write_report.
+/// The functions check_json, report_files, write_report and accept_findings.
 void add_inspections(pybind11::module_& module);
 /// The functions place, lines_json, compare_json, info_json, regress_json, accept_baselines and
 /// illuminance_rows.

@@ -34,6 +34,13 @@ void add(Acceptance entry, const std::string& today, const std::string& file,
     *same = std::move(entry);
 }
 
+void require_end(const AcceptanceNote& note, const std::string& today) {
+    if (!note.until.empty() && !is_date(note.until))
+        throw FieldError("until", "'" + note.until + "' is no date as 2026-11-27");
+    if (is_expired(note, today))
+        throw FieldError("until", "'" + note.until + "' is over already: it is " + today);
+}
+
 } // namespace
 
 std::string date_today() {
@@ -47,6 +54,7 @@ AcceptanceList read_acceptances(const std::filesystem::path& file, std::string t
 AddedAcceptances accept_items(const AcceptanceList& earlier, const std::filesystem::path& file,
                               const std::filesystem::path& report,
                               std::span<const std::size_t> items, const AcceptanceNote& note) {
+    require_end(note, earlier.today);
     AddedAcceptances all{earlier.entries, {}, {}};
     for (Acceptance& entry :
          acceptances_of_report(read_text_file(report), report.string(), items, note))

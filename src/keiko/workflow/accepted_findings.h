@@ -27,7 +27,8 @@ struct AddedAcceptances {
 
 /// Adds acceptances of findings of a report to earlier ones. One that has expired, or that is of
 /// another value, is replaced. Throws Error naming `file` for a finding that is accepted already,
-/// and for a report that cannot be read.
+/// and for a report that cannot be read. Throws FieldError for an `until` of the note that is no
+/// date, or that is over.
 AddedAcceptances accept_items(const AcceptanceList& earlier, const std::filesystem::path& file,
                               const std::filesystem::path& report,
                               std::span<const std::size_t> items, const AcceptanceNote& note);

@@ -3,19 +3,20 @@
 Lengths are in mm, angles in degrees, luminances in cd/m2. Long functions release the interpreter's
 lock, call `progress(stage, fraction)` if one is given, and end on Ctrl-C. Bad input raises Error.
 """
+import getpass as _getpass
 import html as _html
 import json as _json
 import os as _os
 
 import numpy as _np
 
-from ._keiko import (Error, Film, Placement, Scene, accept_baselines, check_json, compare_json, hit_dtype,
-                     illuminance_rows, info_json, lines_json, open_scene, place, regress_json, render_film,
-                     report_files, version, write_report)
+from ._keiko import (Error, Film, Placement, Scene, accept_baselines, accept_findings, check_json, compare_json,
+                     hit_dtype, illuminance_rows, info_json, lines_json, open_scene, place, regress_json,
+                     render_film, report_files, version, write_report)
 
 __version__ = version()
 __all__ = ["Check", "Comparison", "Document", "Error", "Facts", "Film", "Lines", "Placement", "Regression",
-           "Report", "Scene", "accept_baselines", "check", "compare", "hit_dtype", "illuminance", "info",
+           "Report", "Scene", "accept", "accept_baselines", "check", "compare", "hit_dtype", "illuminance", "info",
            "inspect", "lines", "open_scene", "place", "regress", "render", "version"]
 
 
@@ -56,6 +57,10 @@ class Judged(Document):
 class Check(Judged):
     """A body judged by criteria, as `keiko check --json` has it."""
 
+    def __init__(self, text: str, combs: str | None = None, profiles: str | None = None):
+        super().__init__(text)
+        self._combs, self._profiles = combs, profiles
+
     @property
     def findings(self) -> list:
         """What the verdict rests on: all that fails or is undecided, the worst first."""
@@ -76,6 +81,24 @@ class Check(Judged):
         """Every placed face with its curvature and flaws."""
         return self._values["faces"]
 
+    @property
+    def joints(self) -> list:
+        """Joints between panels with their sections; empty where they were not sought."""
+        return self._values.get("joints", [])
+
+    @property
+    def combs(self) -> list:
+        """Sections and iso-curves with their curvature, as `keiko check --combs` has them."""
+        return _json.loads(self._combs)["curves"] if self._combs else []
+
+    @property
+    def profiles(self) -> list:
+        """Stretches with their values all along, as `keiko check --profiles` has them."""
+        return _json.loads(self._profiles)["profiles"] if self._profiles else []
+
+    def __reduce__(self):
+        return type(self), (self._text, self._combs, self._profiles)
+
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.verdict}, {len(self.findings)} findings, {len(self.looks)} looks>"
 
@@ -92,7 +115,8 @@ class Report(Check):
     """The whole inspection of a body: the keys and values of report.json, with page and pictures."""
 
     def __init__(self, files: dict, base: str):
-        super().__init__(files["report.json"].decode())
+        combs = files.get("combs.json")
+        super().__init__(files["report.json"].decode(), combs and combs.decode())
         self._files, self._base = files, base
 
     @property
@@ -143,17 +167,54 @@ def _opened(scene, progress, threads) -> Scene:
     return scene if isinstance(scene, Scene) else open_scene(scene, progress=progress, threads=threads)
 
 
+def _words(one_or_more) -> list:
+    """Words of one word, or of several words or numbers."""
+    alone = isinstance(one_or_more, (str, int))
+    return [str(word) for word in ([one_or_more] if alone else one_or_more)]
+
+
+def _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_curves, accepted) -> dict:
+    """What check and inspect judge alike."""
+    return {"preset": str(preset), "join": join, "faces": _words(faces), "layers": _words(layers),
+            "colors": _words(colors), "zones": _words(zones), "joints": joints,
+            "sections": _words(sections), "iso_curves": iso_curves, "accepted": accepted}
+
+
 def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str = "", axes: str = "",
-          progress=None, threads: int = 0) -> Check:
-    """Judges the geometry of model files, or of one scene file, by a preset or a preset file."""
-    return Check(check_json(input, preset, join, unit, axes, progress, threads))
+          faces=(), layers=(), colors=(), zones=(), joints: bool = False, sections=(), iso_curves: int = 0,
+          profiles: bool = False, accepted=None, progress=None, threads: int = 0) -> Check:
+    """Judges the geometry of model files, or of one scene file, by a preset or a preset file.
+
+    `faces`, `layers`, `colors` and `zones` judge a part of the body, by the words of `keiko check`. `joints`
+    measures gap and flush between panels. `sections` ("y=120") and `iso_curves` fill `combs`, `profiles`
+    fills `profiles`. `accepted` is a file of accepted findings.
+    """
+    judging = _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_curves, accepted)
+    return Check(*check_json(input, judging, unit, axes, profiles, progress, threads))
 
 
-def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=(), rig=None,
-            progress=None, threads: int = 0) -> Report:
-    """Places lamps, renders views, measures and judges. `scene`: a Scene, or what opens one."""
+def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=(), rig=None, faces=(),
+            layers=(), colors=(), zones=(), joints: bool = False, sections=(), iso_curves: int = 0,
+            accepted=None, close_ups: int = 12, progress=None, threads: int = 0) -> Report:
+    """Places lamps, renders views, measures and judges. `scene`: a Scene, or what opens one.
+
+    What `check` has too means the same. `close_ups`: pictures of the worst findings, at most.
+    """
     scene = _opened(scene, progress, threads)
-    return Report(report_files(scene, preset, join, list(views), rig, progress, threads), _os.getcwd())
+    judging = _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_curves, accepted)
+    files = report_files(scene, judging, _words(views), rig, close_ups, progress, threads)
+    return Report(files, _os.getcwd())
+
+
+def accept(report, items, output, *, why: str, who: str = "", until: str = "") -> int:
+    """Accepts findings of a report, by their numbers from 1, as `keiko accept` does.
+
+    `report` is a report.json, or the file of a check. `output` is the file of accepted findings that they
+    are added to; it is made if missing. `who` is the login name unless given, `until` a date as
+    2026-11-27. Returns the number of findings in the file.
+    """
+    numbers = [items] if isinstance(items, int) else list(items)
+    return accept_findings(report, numbers, output, why=why, who=who or _getpass.getuser(), until=until)
 
 
 def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), join: float = 0.5, progress=None,
