@@ -2,6 +2,7 @@
 
 #include "keiko/base/units.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
@@ -27,11 +28,17 @@ double break_of_angle(double angle, double curvature, const LineOfSight& sight) 
 
 double break_of_curvatures(double a, double b, const LineOfSight& sight) {
     if (!(sight.cosine > 0)) return 0;
-    return lamp_width * std::abs(image_size(a, sight) - image_size(b, sight));
+    const double first = image_size(a, sight), second = image_size(b, sight);
+    const auto [smaller, larger] = std::minmax({std::abs(first), std::abs(second)});
+    return lamp_width * std::abs(first - second) * smaller / larger;
 }
 
 double break_of_gap(double gap, const LineOfSight& sight) {
     return arc_minutes(std::atan2(gap, sight.distance));
+}
+
+double break_of_gap_angle(double angle) {
+    return std::min(60 * 2 * angle, lamp_width);
 }
 
 } // namespace keiko

@@ -16,8 +16,8 @@ constexpr double lamp_width = 103.1;
 /// bulges towards the eye. Below 0 behind the focus of a hollow place, where the reflection is
 /// upside down; at most `largest_image` either way. Derivation: docs/theory/triage.md.
 double image_size(double curvature, const LineOfSight& sight);
-/// Limit of image_size(): near the focus of a hollow place the eye sees no lamp, but one colour.
-constexpr double largest_image = 10;
+/// Limit of image_size(): towards the focus of a hollow place lamps dissolve into one colour.
+constexpr double largest_image = 1;
 
 /// Arc minutes by which the reflection of a distant lamp is torn apart where the normal turns by
 /// `angle` degrees, seen from the eye. `curvature` as in image_size(). 0 at grazing incidence.
@@ -25,9 +25,15 @@ double break_of_angle(double angle, double curvature, const LineOfSight& sight);
 
 /// Arc minutes by which the reflection of a lamp of `lamp_width` changes where the curvature jumps
 /// from `a` to `b`, as in image_size(). Its width changes; where it turns over, both widths add up.
+/// The change counts by the share that the smaller image has of the larger: beside a fillet, which
+/// shrinks lamps to a line, there is no stripe that changes.
 double break_of_curvatures(double a, double b, const LineOfSight& sight);
 
 /// Arc minutes of a gap of `gap` mm, seen squarely.
 double break_of_gap(double gap, const LineOfSight& sight);
+
+/// Arc minutes that a gap counts as which is as bad as `angle` degrees, whatever the curvature: as
+/// that angle on a plane, and as a lamp's width at most.
+double break_of_gap_angle(double angle);
 
 } // namespace keiko

@@ -1,75 +1,35 @@
 #pragma once
 
 #include "keiko/inspect/inspection.h"
-#include "keiko/intersect/traversal/tracer.h"
+#include "keiko/triage/outer_sides.h"
+#include "keiko/triage/standing_eyes.h"
 
-#include <array>
 #include <optional>
-#include <string_view>
+#include <span>
+#include <vector>
 
 namespace keiko {
 
-/// Names of the views in which faults are sought: those of a walking surfacer, and from above.
-constexpr std::array<std::string_view, 9> standing_views{"standing-front",
-                                                         "standing-rear",
-                                                         "standing-left",
-                                                         "standing-right",
-                                                         "standing-three-quarter-front-left",
-                                                         "standing-three-quarter-front-right",
-                                                         "standing-three-quarter-rear-left",
-                                                         "standing-three-quarter-rear-right",
-                                                         "top"};
-
-/// A finding as the standing views show it.
-struct Sight {
-    double length = 0;  ///< mm, of the finding
-    double visible = 0; ///< mm of it that at least one view shows
-    double width = 0;   ///< arc minutes: the widest break of a reflection in any view
-    /// Square arc minutes: the break's width, integrated over its visible length, of each view.
-    std::array<double, standing_views.size()> weight{};
-
-    /// Adds what is seen of another part of the same finding.
-    void add(const Sight& other);
-    /// The view that shows most of it; the first if none shows anything.
-    std::size_t best_view() const;
-};
-
-/// A place of a finding, and how a reflection breaks there.
-struct SightPlace {
-    Vec3 place{0};          ///< world, mm
-    Vec3 normal{0};         ///< unit, of either side of the surface; 0 for a hidden place
-    Vec3 along{0};          ///< unit, of the run of the finding; 0 for a place
-    double length = 0;      ///< mm of it that the place stands for
-    double gap = 0;         ///< mm
-    double angle = 0;       ///< degrees
-    double curvature_a = 0; ///< 1/mm, across the run, on one side; above 0 towards the normal
-    double curvature_b = 0; ///< 1/mm, on the other
-};
-
-/// The eyes of the standing views about a body.
-class StandingEyes {
+/// The findings of an inspection as the standing views show them.
+class FindingSights {
 public:
-    /// Keeps references to both. `tracer`: of the model. `ground`: z of the floor on which the
-    /// viewers stand, mm; none: the lowest z of the body.
-    StandingEyes(const SurfaceModel& model, const Tracer& tracer,
-                 std::optional<double> ground = {});
+    /// Keeps references to all three. `tracer`: of the model. `ground`: as of StandingEyes.
+    FindingSights(const SurfaceModel& model, const Tracer& tracer, const Inspection& inspection,
+                  std::optional<double> ground = {});
 
-    /// Sight of places that belong to one finding.
-    Sight sight(std::span<const SightPlace> places) const;
     /// Sights of all measured stretches, by their indices; empty for those not in `stretches`.
-    std::vector<Sight> sights(const Inspection& inspection,
-                              std::span<const std::uint32_t> stretches, const Job& job) const;
-    /// True for each place, world, mm, that at least one view shows.
-    std::vector<bool> shown(std::span<const Vec3> places) const;
+    std::vector<Sight> of_stretches(std::span<const std::uint32_t> stretches,
+                                    const Job& job = {}) const;
     /// Sight of the worst place of a check of a face or of lines.
-    Sight sight(const Inspection& inspection, const Check& check) const;
+    Sight of(const Check& check) const;
 
 private:
-    std::vector<bool> visibility(std::span<const Vec3> places) const;
+    std::vector<SightPlace> places_of(std::uint32_t stretch, const ModelBorders& borders) const;
 
     const SurfaceModel& model_;
-    const Tracer& tracer_;
-    std::array<Vec3, standing_views.size()> eyes_; ///< world, mm
+    const Inspection& inspection_;
+    StandingEyes eyes_;
+    OuterSides sides_;
 };
 
 } // namespace keiko

@@ -204,8 +204,7 @@ TriageItem Grouping::item_of(std::vector<std::size_t> members) const {
     item.length = all.length, item.width = all.width, item.weight = all.weight[view];
     item.visible = all.length > 0 ? all.visible / all.length : 0;
     item.view = standing_views[view];
-    item.place = item.seams.empty() ? inspection_.findings[item.findings.front()].worst.place
-                                    : worst_place(inspection_.seams[item.seams.front()]);
+    item.place = units_[members.front()].sight.place;
     return item;
 }
 
@@ -233,8 +232,8 @@ Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection&
     std::vector<std::uint32_t> stretches;
     for (const Unit& unit : units)
         if (unit.seam != no_index) stretches.push_back(unit.seam);
-    const StandingEyes eyes(model, tracer, ground);
-    const std::vector<Sight> sights = eyes.sights(inspection, stretches, job);
+    const FindingSights of_findings(model, tracer, inspection, ground);
+    const std::vector<Sight> sights = of_findings.of_stretches(stretches, job);
     parallel_for(units.size(), job, "sights", [&](std::size_t i) {
         Unit& unit = units[i];
         if (unit.seam != no_index) {
@@ -242,7 +241,7 @@ Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection&
             return;
         }
         for (const std::size_t finding : unit.findings)
-            unit.sight.add(eyes.sight(inspection, inspection.findings[finding]));
+            unit.sight.add(of_findings.of(inspection.findings[finding]));
     });
     Grouping grouping(inspection, std::move(units));
     grouping.join({1, (tracer.bounds().lower.y + tracer.bounds().upper.y) / 2});

@@ -34,7 +34,7 @@ struct TriageItem {
     double weight = 0;     ///< square arc minutes: that width over the length, in the view below
     std::string view;      ///< standing view that shows most of it
     bool mirrored = false; ///< it is on both sides of the body's middle plane
-    Vec3 place{0};         ///< of the worst value, on the stretch that is seen most; world, mm
+    Vec3 place{0};         ///< where it is seen best, on the stretch that is seen most; world, mm
 };
 
 /// The findings of a body in the order in which they are to be mended.

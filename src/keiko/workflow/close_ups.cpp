@@ -3,6 +3,8 @@
 #include "keiko/base/job_steps.h"
 #include "keiko/base/units.h"
 #include "keiko/film/tone_mapping.h"
+#include "keiko/scene/view.h"
+#include "keiko/triage/standing_eyes.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/report_pictures.h"
 #include "keiko/workflow/seen_place.h"
@@ -57,17 +59,29 @@ struct Subject {
     Camera view;
 };
 
+/// The views by which faults are ordered.
+std::vector<NamedView> views_of_triage(const Scene& scene) {
+    const auto ground =
+        scene.surroundings ? std::optional(scene.surroundings->ground) : std::nullopt;
+    std::vector<NamedView> views;
+    for (const std::string_view name : standing_views)
+        views.push_back({std::string(name),
+                         frame_view(std::string(name), scene.tracer.bounds(), {.ground = ground})});
+    return views;
+}
+
 /// Subjects that a view shows, each once, `most` at most.
 class Subjects {
 public:
     Subjects(const Scene& scene, std::span<const NamedView> views, std::size_t most)
-        : scene_(scene), views_(views), most_(most) {}
+        : scene_(scene), views_(views), others_(views_of_triage(scene)), most_(most) {}
 
     /// True if the subject is a new one that is shown.
     bool add(CloseUp::Of of, std::uint32_t index, const Vec3& place) {
         const auto is_same = [&](const Subject& one) { return one.of == of && one.index == index; };
         if (is_full() || std::any_of(all_.begin(), all_.end(), is_same)) return false;
-        const auto camera = best_camera(scene_, views_, place);
+        auto camera = best_camera(scene_, views_, place);
+        if (!camera) camera = best_camera(scene_, others_, place);
         if (camera) all_.push_back({of, index, place, *camera});
         return camera.has_value();
     }
@@ -77,6 +91,7 @@ public:
 private:
     const Scene& scene_;
     std::span<const NamedView> views_;
+    std::vector<NamedView> others_; ///< for what those do not show
     std::size_t most_;
     std::vector<Subject> all_;
 };

@@ -12,8 +12,8 @@ namespace keiko {
 
 /// Close-up pictures, `most` of them at most. What the first screen shows comes first. Then come,
 /// in turn, the worst seams, faces and crossings of lines that do not pass, and faces that deserve
-/// a look. Each is from the view that shows its place most squarely; places that no view shows have
-/// none. Where no edge of a lamp is mirrored, zebra is shown instead.
+/// a look. Each is from the view that shows its place most squarely, or else from a standing one;
+/// places that neither shows have none. Where no edge of a lamp is mirrored, zebra is shown.
 std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
                                std::span<const NamedView> views, const PictureOptions& options,
                                std::size_t most, const Job& job);

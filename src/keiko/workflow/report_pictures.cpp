@@ -80,7 +80,7 @@ Image with_inflections(Image picture, const Film& film, const Inspection& inspec
 
 /// The place nearest to a pixel at which a marker covers no other: there, or one of rings about it.
 Vec2 free_place(const Vec2& pixel, const std::vector<PictureMarker>& markers) {
-    constexpr double size = 26; // pixels
+    constexpr double size = 48; // pixels: pages show pictures at half their size
     constexpr int directions = 8, rings = 4;
     const auto is_free = [&](const Vec2& at) {
         return std::none_of(markers.begin(), markers.end(), [&](const PictureMarker& other) {

@@ -2,7 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/compare/alignment/coarse_alignment.h"
-#include "keiko/triage/seam_sight.h"
+#include "keiko/triage/standing_eyes.h"
 
 namespace keiko {
 namespace {
@@ -20,8 +20,8 @@ struct SeenArea {
 
 SeenArea seen_area(const std::vector<SurfaceSample>& samples, const StandingEyes& eyes) {
     SeenArea area;
-    std::vector<Vec3> places;
-    for (const SurfaceSample& sample : samples) places.push_back(sample.point.position);
+    std::vector<SightPlace> places(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) places[i].place = samples[i].point.position;
     const std::vector<bool> shown = eyes.shown(places);
     for (std::size_t i = 0; i < samples.size(); ++i) {
         area.face = samples[i].point.face, area.all += samples[i].area;
@@ -35,7 +35,7 @@ SeenArea seen_area(const std::vector<SurfaceSample>& samples, const StandingEyes
 std::vector<double> visible_shares(const SurfaceModel& model, const Tracer& tracer,
                                    std::optional<double> ground, const Job& job) {
     const ClosestPointQuery body(placed_model(model), job);
-    const StandingEyes eyes(model, tracer, ground);
+    const StandingEyes eyes(tracer, ground);
     const double spacing = sample_spacing(body, most_places);
     std::vector<SeenArea> pieces(body.piece_count());
     parallel_for(pieces.size(), job, "sights", [&](std::size_t i) {

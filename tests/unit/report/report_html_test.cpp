@@ -49,7 +49,8 @@ TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
     ASSERT_NE(first, std::string::npos);
     ASSERT_LT(first, apart);
     const std::string screen = html.substr(first, apart - first);
-    EXPECT_NE(screen.find("tangent · breaks a reflection by 36.0′ in view three-quarter front left "
+    EXPECT_NE(screen.find("tangent · breaks a reflection by up to 36′ (arc minutes) in view "
+                          "three-quarter front left "
                           "· 100.0 mm on 1 stretch, 96 % of it visible · on both sides"),
               std::string::npos);
     EXPECT_NE(screen.find("0.300°"), std::string::npos);
@@ -72,7 +73,9 @@ TEST(ReportHtml, AFaultOfAFaceHasACard) {
     triaged.triage.items = {{Mending::curvature, {2}, {}, 2, 10, 1, 5, 100, "top", false}};
     const std::string html = report_html(triaged);
     const auto first = html.find("What to mend first");
-    EXPECT_LT(first, html.find("curvature · breaks a reflection by 5.0′ in view top</div>"));
+    EXPECT_LT(
+        first,
+        html.find("curvature · breaks a reflection by up to 5.0′ (arc minutes) in view top</div>"));
     EXPECT_LT(first, html.find("the dent of 0.1 mm"));
 }
 

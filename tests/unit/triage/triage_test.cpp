@@ -128,7 +128,7 @@ TEST(Triage, WeightsAreSolidAngles) {
     const Inspection inspection = inspect(model);
     const Tracer tracer(model);
     const std::vector<std::uint32_t> first{0};
-    const Sight sight = StandingEyes(model, tracer).sights(inspection, first, {})[0];
+    const Sight sight = FindingSights(model, tracer, inspection).of_stretches(first)[0];
     const Triage found = triage(model, tracer, inspection, {});
     ASSERT_EQ(found.items.size(), 1u);
     EXPECT_EQ(found.items[0].weight, sight.weight[sight.best_view()]);
@@ -144,8 +144,84 @@ TEST(Triage, CreasesCountByTheirGapAlone) {
     const Triaged found(builder);
     ASSERT_EQ(found.triage.items.size(), 1u);
     EXPECT_EQ(found.triage.items[0].mending, Mending::position);
-    EXPECT_LT(found.triage.items[0].width, break_of_gap(0.05, {1500, 1}));
-    EXPECT_GT(found.triage.items[0].width, break_of_gap(0.05, {8000, 1}));
+    // Five times the limit of 0.01 mm counts as five times that of 0.1 degrees.
+    EXPECT_NEAR(found.triage.items[0].width, break_of_angle(0.5, 0, {3000, 1}), 1e-6);
+}
+
+TEST(Triage, AGapWithinItsLimitHasNoPartInTheOrder) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {300, 0, 0}, {0, 100, 0});
+    builder.plane({0, -0.009, 0}, {300, 0, 0}, {0, -100, -0.4});
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_EQ(found.triage.items[0].mending, Mending::tangent);
+    EXPECT_NEAR(found.triage.items[0].width, 60 * 2 * found.angle_of(found.triage.items[0]), 1e-6);
+}
+
+/// Two sheets that stand on the floor, bent by 3 degrees to bulge towards y > 0 or y < 0.
+void standing_pair(ModelBuilder& builder, double side, bool turned) {
+    const Vec3 along = Vec3(turned ? -400 : 400, 0, 0), from(turned ? 400 : 0, 500 * side, 100);
+    const double turn = degrees_to_radians(3), height = 100;
+    builder.plane(from, along, {0, 0, -height});
+    builder.plane(from, along, Vec3(0, -side * std::sin(turn), std::cos(turn)) * height);
+}
+
+TEST(Triage, EyesLookAtThePanelFromTheSideToWhichItBulges) {
+    for (const double side : {1.0, -1.0})
+        for (const bool turned : {true, false}) {
+            ModelBuilder builder;
+            standing_pair(builder, side, turned);
+            const SurfaceModel model = builder.build();
+            const Inspection inspection = inspect(model);
+            const Tracer tracer(model);
+            const std::vector<std::uint32_t> first{0};
+            const Sight sight = FindingSights(model, tracer, inspection).of_stretches(first)[0];
+            for (std::size_t i = 0; i < standing_views.size(); ++i) {
+                const bool right = standing_views[i].find("right") != std::string_view::npos;
+                const bool left = standing_views[i].find("left") != std::string_view::npos;
+                if (side > 0 ? right : left) {
+                    EXPECT_GT(sight.weight[i], 0) << standing_views[i];
+                }
+                if (side > 0 ? left : right) {
+                    EXPECT_EQ(sight.weight[i], 0) << standing_views[i];
+                }
+            }
+            EXPECT_NEAR(sight.visible, sight.length, 1e-9);
+        }
+}
+
+TEST(Triage, AChangeIsNoWiderThanTheSeamIsLong) {
+    ModelBuilder builder;
+    std::vector<Vec3> points;
+    for (const double side : {-1.0, 1.0}) {
+        points.clear();
+        for (const double x : {0.0, 10.0})
+            for (const double share : {0.0, 0.5, 1.0})
+                points.emplace_back(x, 100 * side * share,
+                                    share == 1 ? side * 100 * 100 / 4000 : 0);
+        builder.patch(1, 2, points);
+    }
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_LE(found.triage.items[0].width, 60 * radians_to_degrees(10 / 3000.0));
+    EXPECT_GT(found.triage.items[0].width, 60 * radians_to_degrees(10 / 8000.0));
+}
+
+/// Its outer side faces the floor: what the eyes see counts.
+TEST(Triage, ADishIsLookedInto) {
+    ModelBuilder builder;
+    curved_pair(builder, {0, 0, 0}, 1 / 2000.0, 1 / 1000.0);
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_EQ(found.triage.items[0].visible, 1);
+}
+
+TEST(Triage, TheMiddleOfAnEvenFaultIsItsPlace) {
+    ModelBuilder builder;
+    bent_pair(builder, {0, 0, 0}, 400, 0.5);
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_NEAR(found.triage.items[0].place.x, 200, 40);
 }
 
 /// The only fault of a pair of sheets of these radii in mm; above 0: hollow from above.
@@ -160,8 +236,8 @@ TriageItem fault_of_radii(double before, double after) {
 TEST(Triage, ACurvatureThatChangesItsSignIsSeen) {
     const TriageItem item = fault_of_radii(2000, -2000);
     EXPECT_EQ(item.mending, Mending::curvature);
-    // In the view from above, 3 m away: 1 / (1 + 3) and 1 / (1 - 3).
-    EXPECT_GT(item.width, 0.7 * lamp_width);
+    // In the view from above, 3 m away: 1 / (1 + 3) and 1 / (1 - 3), half as large.
+    EXPECT_GT(item.width, 0.35 * lamp_width);
     EXPECT_GT(item.weight, 1000);
 }
 
@@ -239,8 +315,8 @@ TEST(Triage, EyesStandOnTheGround) {
     const Inspection inspection = inspect(model);
     const Tracer tracer(model);
     const std::vector<std::uint32_t> first{0};
-    const Sight floating = StandingEyes(model, tracer).sights(inspection, first, {})[0];
-    const Sight on_ground = StandingEyes(model, tracer, 0.0).sights(inspection, first, {})[0];
+    const Sight floating = FindingSights(model, tracer, inspection).of_stretches(first)[0];
+    const Sight on_ground = FindingSights(model, tracer, inspection, 0.0).of_stretches(first)[0];
     // The surface lies 650 mm below the eyes rather than 1650: it is seen nearer, at a flatter
     // angle.
     for (std::size_t view = 0; view < 4; ++view)

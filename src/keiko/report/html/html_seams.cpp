@@ -56,13 +56,20 @@ std::string angle_measure(const MeasuredSeam& seam) {
                    share_of_limit(angle));
 }
 
+/// Radius across the seam on a side; those of both sides have one sign where they bend one way.
+std::string radius_text(double curvature) {
+    constexpr double flat = 1e-7; // 1/mm
+    return std::abs(curvature) < flat ? "flat" : "R " + short_number(1 / curvature) + " mm";
+}
+
 std::string curvature_measure(const MeasuredSeam& seam) {
     if (!seam.curvature)
         return measure("curvature", "crease", "–", "judged where gap and angle pass", 0);
     const CurvatureStep& step = *seam.curvature;
     return measure("curvature", name_of(step.worst.verdict),
                    fixed_number(step.mismatch * 100, 1) + " %",
-                   std::string(formula_text(step.formula)) + ", limit " +
+                   radius_text(step.curvature_a) + " | " + radius_text(step.curvature_b) + ", " +
+                       std::string(formula_text(step.formula)) + ", limit " +
                        short_number(step.worst.limit * 100) + " %" +
                        (step.flat ? ", against the flat radius" : ""),
                    share_of_limit(step.worst));
@@ -117,6 +124,13 @@ std::string profile_of(const Report& report, std::uint32_t index) {
     const Inspection& inspection = report.inspection;
     const CriteriaPreset& limits = limits_of(inspection, inspection.seams[index]);
     return profile_svg(*found, SeamQuantities(limits).curvature_limit().formula);
+}
+
+/// The plots of a stretch, folded.
+std::string folded_profile_of(const Report& report, std::uint32_t index) {
+    const std::string plots = profile_of(report, index);
+    return plots.empty() ? ""
+                         : "<details><summary>all along the seam</summary>" + plots + "</details>";
 }
 
 bool over(const MeasuredValue& worst) {
@@ -220,7 +234,7 @@ std::string html_seam_card(const Report& report, std::size_t rank, std::uint32_t
            fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
            "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
            curvature_measure(seam) + slope_measure(seam, limits_of(report.inspection, seam)) +
-           fading_measure(seam) + "</div>" + profile_of(report, index) + "</div>" +
+           fading_measure(seam) + "</div>" + folded_profile_of(report, index) + "</div>" +
            html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
 }
 

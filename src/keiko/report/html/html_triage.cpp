@@ -2,6 +2,7 @@
 #include "keiko/report/markup/html_text.h"
 
 #include <algorithm>
+#include <map>
 
 namespace keiko {
 namespace {
@@ -16,13 +17,15 @@ std::string words_of_view(const std::string& view) {
     return is_between ? "three-quarter " + words : words;
 }
 
-/// Sight of a fault in words: "curvature · breaks a reflection by 2.8′ in view left · 271.5 mm on
-/// 3 stretches, 96 % of it visible · on both sides".
+/// Sight of a fault in words: "curvature · breaks a reflection by up to 2.8′ (arc minutes) in view
+/// left · 271.5 mm on 3 stretches, 96 % of it visible · on both sides".
 std::string sight_text(const TriageItem& item) {
-    constexpr double least_width = 0.05; // arc minutes
+    constexpr double least_width = 0.05, coarse = 10; // arc minutes
     std::string text(name_of(item.mending));
     if (item.width >= least_width)
-        text += " · breaks a reflection by " + fixed_number(item.width, 1) + "′ in view " +
+        text += (item.mending == Mending::position ? " · counts as a break of a reflection by "
+                                                   : " · breaks a reflection by up to ") +
+                fixed_number(item.width, item.width < coarse ? 1 : 0) + "′ (arc minutes) in view " +
                 words_of_view(item.view);
     if (!item.seams.empty())
         text += " · " + fixed_number(item.length, 1) + " mm on " +
@@ -47,6 +50,17 @@ std::string card(const Report& report, std::size_t rank, const ShownItem& item,
            html_close_up(report, CloseUp::Of::face, item.face) + "</div>\n";
 }
 
+/// "Worth a look besides, not judged: 4 × KEIKO-OPENING, 1 × KEIKO-DENT."
+std::string looks_line(const Inspection& inspection) {
+    std::map<std::string, std::size_t> counts;
+    for (const Check& look : inspection.looks) ++counts[look.code];
+    if (counts.empty()) return "";
+    std::string text;
+    for (const auto& [code, count] : counts)
+        text += (text.empty() ? "" : ", ") + std::to_string(count) + " × " + code;
+    return "<p class=\"soft\">Worth a look besides, not judged: " + html_escaped(text) + ".</p>";
+}
+
 std::string row(std::size_t number, const TriageItem& fault, const Check& worst) {
     return "<tr class=\"" + std::string(outcome_of(worst)) + "\">" +
            html_cell(std::to_string(number), std::to_string(number)) +
@@ -66,7 +80,8 @@ std::string html_first_screen(const Report& report) {
     std::string html = faults > 0
                            ? "<section><h2>What to mend first</h2><p class=\"soft\">Faults by what "
                              "an eye sees of them from the standing views: how far the reflection "
-                             "of a lamp breaks, over the visible length.</p>"
+                             "of a lamp breaks, over the visible length. A gap counts as the angle "
+                             "that is as many times over its limit.</p>"
                            : "<section><h2>Worst stretches of seams</h2>";
     html += "<div class=\"worst\">\n";
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -80,7 +95,7 @@ std::string html_first_screen(const Report& report) {
     if (faults > items.size())
         html += "<p class=\"soft\">" + std::to_string(faults - items.size()) +
                 " more stand among the findings below.</p>";
-    return html + "</section>\n";
+    return html + looks_line(report.inspection) + "</section>\n";
 }
 
 std::string html_hidden(const Report& report) {
@@ -89,8 +104,9 @@ std::string html_hidden(const Report& report) {
     const std::vector<Check> findings = whole_inspection(report).findings;
     std::string html =
         "<section><h2>Faults in hidden places</h2><p class=\"soft\">No standing view shows more "
-        "than a hundredth of their length: flanges, hems, inner sides. They have their part in the "
-        "verdict.</p>" +
+        "than a hundredth of their length from outside: flanges, hems, inner sides. They have "
+        "their "
+        "part in the verdict.</p>" +
         html_table_head({"#", "faces", "mend", "what", "length mm", "place x, y, z"}, "faces");
     for (std::size_t i = 0; i < hidden.size(); ++i)
         html += row(i + 1, hidden[i], findings[hidden[i].findings.front()]);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "keiko/inspect/inspection.h"
+#include "keiko/triage/standing_eyes.h"
+
+#include <cstdint>
+#include <map>
+#include <utility>
+
+namespace keiko {
+
+/// The outer side of the largest skin of a body: that to which it bulges. A panel is an open sheet,
+/// and its file may call either side of each face outward (docs/theory/triage.md).
+class OuterSides {
+public:
+    /// A skin goes on over seams that turn by less than 60 degrees. It has no outer side if parts
+    /// of it bulge to either side, or if the views see less than half as much of it from there as
+    /// from the other side. Smaller skins have none.
+    OuterSides(const SurfaceModel& model, const Inspection& inspection, const StandingEyes& eyes);
+
+    /// Unit, towards the outer side, of a face with the unit normal `normal` along its du x dv in
+    /// the world; 0 without an outer side.
+    Vec3 outward(const PlacedFace& face, const Vec3& normal) const;
+
+private:
+    /// By instance and face: 1 if du x dv points outwards, -1 if inwards.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, double> sides_;
+};
+
+} // namespace keiko

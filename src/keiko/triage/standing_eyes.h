@@ -1,0 +1,76 @@
+#pragma once
+
+#include "keiko/intersect/traversal/tracer.h"
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+
+/// Names of the views in which faults are sought: those of a walking surfacer, and from above.
+constexpr std::array<std::string_view, 9> standing_views{"standing-front",
+                                                         "standing-rear",
+                                                         "standing-left",
+                                                         "standing-right",
+                                                         "standing-three-quarter-front-left",
+                                                         "standing-three-quarter-front-right",
+                                                         "standing-three-quarter-rear-left",
+                                                         "standing-three-quarter-rear-right",
+                                                         "top"};
+
+/// A finding as the standing views show it.
+struct Sight {
+    double length = 0;  ///< mm, of the finding
+    double visible = 0; ///< mm of it that at least one view shows
+    double width = 0;   ///< arc minutes: the widest break of a reflection in any view
+    /// Square arc minutes: the break's width, integrated over its visible length, of each view.
+    std::array<double, standing_views.size()> weight{};
+    /// World, mm: in the best view the middle of the places that are nearly as bad as the worst.
+    Vec3 place{0};
+
+    /// Adds what is seen of another part of the same finding. The place stays that of the first.
+    void add(const Sight& other);
+    /// The view that shows most of it; the first if none shows anything.
+    std::size_t best_view() const;
+};
+
+/// A place of a finding, and how a reflection breaks there.
+struct SightPlace {
+    Vec3 place{0};          ///< world, mm
+    Vec3 normal{0};         ///< unit, of either side of the surface; 0 for a hidden place
+    Vec3 along{0};          ///< unit, of the run of the finding; 0 for a place
+    double length = 0;      ///< mm of it that the place stands for
+    Vec3 outward{0};        ///< unit, towards the side that counts; 0: both do
+    double gap = 0;         ///< mm
+    double gap_angle = 0;   ///< degrees: the angle that the gap counts as
+    double angle = 0;       ///< degrees
+    double curvature_a = 0; ///< 1/mm, across the run, on one side; above 0 towards the normal
+    double curvature_b = 0; ///< 1/mm, on the other
+};
+
+/// The eyes of the standing views about a body.
+class StandingEyes {
+public:
+    /// Keeps a reference to the tracer, of the body. `ground`: z of the floor on which the viewers
+    /// stand, mm; none: the lowest z of the body.
+    explicit StandingEyes(const Tracer& tracer, std::optional<double> ground = {});
+
+    /// Sight of places that belong to one finding, in their order along it.
+    Sight sight(std::span<const SightPlace> places) const;
+    /// True for each place that at least one view shows on its outer side.
+    std::vector<bool> shown(std::span<const SightPlace> places) const;
+    /// The surface at a place, as the first view shows it that does; nullopt if none does.
+    std::optional<Hit> seen(const Vec3& place) const;
+
+private:
+    std::vector<bool> visibility(std::span<const SightPlace> places) const;
+
+    const Tracer& tracer_;
+    std::array<Vec3, standing_views.size()> eyes_; ///< world, mm
+};
+
+} // namespace keiko
