@@ -105,8 +105,7 @@ std::string html_hidden(const Report& report) {
     std::string html =
         "<section><h2>Faults in hidden places</h2><p class=\"soft\">No standing view shows more "
         "than a hundredth of their length from outside: flanges, hems, inner sides. They have "
-        "their "
-        "part in the verdict.</p>" +
+        "their part in the verdict.</p>" +
         html_table_head({"#", "faces", "mend", "what", "length mm", "place x, y, z"}, "faces");
     for (std::size_t i = 0; i < hidden.size(); ++i)
         html += row(i + 1, hidden[i], findings[hidden[i].findings.front()]);
