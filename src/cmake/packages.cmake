@@ -37,7 +37,9 @@ find_library(OPENSUBDIV_LIBRARY osdCPU REQUIRED)
 find_path(OPENSUBDIV_INCLUDE_DIR opensubdiv/bfr/surface.h REQUIRED)
 file(STRINGS ${OPENSUBDIV_INCLUDE_DIR}/opensubdiv/version.h OpenSubdiv_VERSION
   REGEX "define OPENSUBDIV_VERSION_NUMBER")
-string(REGEX REPLACE ".* ([0-9]+)$" "\\1" OpenSubdiv_VERSION "${OpenSubdiv_VERSION}")
+# 30500 is 3.5.0.
+string(REGEX REPLACE ".* ([0-9]+)(..)(..)$" "\\1.\\2.\\3" OpenSubdiv_VERSION "${OpenSubdiv_VERSION}")
+string(REGEX REPLACE "\\.0" "." OpenSubdiv_VERSION "${OpenSubdiv_VERSION}")
 add_library(OpenSubdiv::osdCPU UNKNOWN IMPORTED)
 set_target_properties(OpenSubdiv::osdCPU PROPERTIES
   IMPORTED_LOCATION ${OPENSUBDIV_LIBRARY}

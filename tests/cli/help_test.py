@@ -1,8 +1,11 @@
 """What the program says of itself."""
+import os
 import re
+import subprocess
 import unittest
+from pathlib import Path
 
-from keiko_process import SOURCE, KeikoTest
+from keiko_process import BINARY, SOURCE, KeikoTest
 
 
 class Help(KeikoTest):
@@ -37,6 +40,39 @@ class Help(KeikoTest):
         project = (SOURCE / "CMakeLists.txt").read_text()
         version = re.search(r"project\(keiko VERSION (\S+)", project)[1]
         self.assertEqual(self.succeed("--version"), version + "\n")
+
+    def facts(self, **options) -> dict:
+        """What --version --verbose states, lists of values by their names."""
+        run = self.keiko("--version", "--verbose", **options)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        found = {}
+        for line in run.stdout.splitlines():
+            found.setdefault(line[:12].strip(), []).append(line[12:])
+        return found
+
+    def test_the_verbose_version_states_the_build_and_its_libraries(self):
+        facts = self.facts()
+        self.assertEqual(facts["version"], [self.succeed("--version").strip()])
+        notes = subprocess.run(["readelf", "-n", BINARY], capture_output=True, text=True).stdout
+        self.assertIn(f"Build ID: {facts['build id'][0]}\n", notes)
+        self.assertRegex(facts["compiler"][0], r"^(GCC|Clang) \d+\.")
+        self.assertRegex(facts["SIMD"][0], r"^[A-Z][A-Z0-9_]+$")
+        self.assertEqual(facts["reader"], [str(Path(BINARY).resolve().with_name("keiko-import"))])
+        libraries = dict(line.rsplit(" ", 1) for line in facts["library"])
+        self.assertEqual(set(libraries), {"Embree", "oneTBB", "OpenImageIO", "OpenCASCADE", "OpenSubdiv"})
+        for version in libraries.values():
+            self.assertRegex(version, r"^\d+(\.\d+)+$")
+
+    def test_the_verbose_version_states_what_is_wrong_with_the_reader(self):
+        for reader, fault in (str(self.folder / "none"), "No such file"), ("/bin/false", "does not state"):
+            facts = self.facts(env={**os.environ, "KEIKO_IMPORT": reader})
+            self.assertRegex(facts["reader"][0], f"^{reader}: .*{fault}")
+            self.assertEqual(len(facts["library"]), 3)
+
+    def test_verbose_without_version_or_command_is_an_error(self):
+        run = self.keiko("--verbose")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertRegex(run.stderr, r"\Akeiko: .*\n\Z")
 
 
 if __name__ == "__main__":

@@ -5,5 +5,6 @@
 #include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/luminaire_facts.h"
+#include "keiko/workflow/build_facts.h"
 #include "keiko/workflow/check_models.h"
 #include "keiko/workflow/version.h"

@@ -1,4 +1,3 @@
-#include "keiko/api/model.h"
 #include "keiko/base/memory.h"
 #include "keiko/base/text.h"
 #include "keiko/cli/session.h"
@@ -11,7 +10,7 @@ int main(int argc, char** argv) try {
     keep_freed_memory();
     cli::Session session;
     CLI::App app("Keiko judges free-form surfaces by the reflections of parallel lamps.", "keiko");
-    app.set_version_flag("--version", version());
+    cli::add_version(app);
     app.require_subcommand(1);
     app.footer(
         "Exit codes: 0 pass, 1 findings, 2 error, 130 interrupted.\n"
@@ -19,6 +18,7 @@ int main(int argc, char** argv) try {
     cli::add_accept(app, session);
     cli::add_check(app, session);
     cli::add_compare(app, session);
+    cli::add_completion(app, session);
     cli::add_illuminance(app, session);
     cli::add_info(app, session);
     cli::add_inspect(app, session);

@@ -100,6 +100,8 @@ void add_accept(CLI::App& app, Session& session);
 void add_check(CLI::App& app, Session& session);
 /// Adds `keiko compare`.
 void add_compare(CLI::App& app, Session& session);
+/// Adds `keiko completion`.
+void add_completion(CLI::App& app, Session& session);
 /// Adds `keiko illuminance`.
 void add_illuminance(CLI::App& app, Session& session);
 /// Adds `keiko info`.
@@ -118,5 +120,8 @@ void add_regress(CLI::App& app, Session& session);
 void add_render(CLI::App& app, Session& session);
 /// Adds `keiko trace`.
 void add_trace(CLI::App& app, Session& session);
+
+/// Adds --version, and --verbose for the facts on the build, to the app.
+void add_version(CLI::App& app);
 
 } // namespace keiko::cli

@@ -16,6 +16,7 @@
 // keiko-import FILE FORMAT MEMORY_LIMIT THREADS, started by load_model: reads a CAD file with
 // OpenCASCADE or a cage with OpenSubdiv and answers on file descriptor 3 (stdout when that is
 // closed), as worker_answer.h says.
+// With the one argument `versions` it answers with a line for each of the two libraries.
 
 namespace {
 
@@ -69,9 +70,16 @@ void answer(std::FILE* out, const std::string& file, const std::string& format, 
               [&](std::string_view piece) { std::fwrite(piece.data(), 1, piece.size(), out); });
 }
 
+int tell_versions() {
+    std::FILE* out = answer_stream();
+    std::fputs("OpenCASCADE " KEIKO_OPENCASCADE "\nOpenSubdiv " KEIKO_OPENSUBDIV "\n", out);
+    return std::fflush(out) == 0 ? 0 : 1;
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::string(argv[1]) == "versions") return tell_versions();
     if (argc != 5) {
         std::fputs("usage: keiko-import FILE STEP|IGES|BREP|OBJ MEMORY_LIMIT THREADS\n", stderr);
         return 2;

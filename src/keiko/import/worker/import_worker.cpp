@@ -1,8 +1,10 @@
 #include "keiko/base/build_id.h"
 #include "keiko/base/error.h"
 #include "keiko/base/new_file.h"
+#include "keiko/base/text.h"
 #include "keiko/import/worker/load_model.h"
 #include "keiko/import/worker/worker_answer.h"
+#include "keiko/import/worker/worker_libraries.h"
 
 #include <fcntl.h>
 #include <poll.h>
@@ -12,6 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
@@ -237,6 +240,24 @@ fs::path worker_path(const LoadOptions& options) {
     if (!options.worker.empty()) return options.worker;
     if (const char* named = std::getenv("KEIKO_IMPORT"); named && *named) return named;
     return installed_worker(binary_path().parent_path());
+}
+
+std::vector<std::string> worker_libraries(const LoadOptions& options) {
+    const fs::path worker = worker_path(options);
+    std::string answer;
+    const auto receive = [&](std::string_view bytes) {
+        constexpr std::size_t most = 4096; // whatever program stands there
+        answer.append(bytes.substr(0, most - std::min(most, answer.size())));
+    };
+    const auto patience =
+        std::min<std::chrono::milliseconds>(options.timeout, std::chrono::seconds(10));
+    const WorkerExit exit = run_worker(worker, {"versions"}, patience, receive, Job{});
+    if (exit.timed_out || exit.signal != 0 || exit.code != 0 || answer.empty())
+        throw Error(worker.string(), "", "does not state what it reads with");
+    std::vector<std::string> libraries;
+    std::istringstream lines(answer);
+    for (std::string line; std::getline(lines, line);) libraries.push_back(one_line(line));
+    return libraries;
 }
 
 SurfaceModel import_in_worker(const fs::path& path, ModelFormat format, const LoadOptions& options,

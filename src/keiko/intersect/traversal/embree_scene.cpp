@@ -223,4 +223,17 @@ void EmbreeScene::trace(const RayPacket& rays, Visitor& visitor) const {
     if (search.failure) std::rethrow_exception(search.failure);
 }
 
+std::string embree_version() {
+    RTCDevice device = rtcNewDevice(nullptr);
+    if (!device) throw Error("", "Embree", "it cannot be started");
+    const auto number = [device](RTCDeviceProperty property) {
+        return std::to_string(rtcGetDeviceProperty(device, property));
+    };
+    const std::string version = number(RTC_DEVICE_PROPERTY_VERSION_MAJOR) + "." +
+                                number(RTC_DEVICE_PROPERTY_VERSION_MINOR) + "." +
+                                number(RTC_DEVICE_PROPERTY_VERSION_PATCH);
+    rtcReleaseDevice(device);
+    return version;
+}
+
 } // namespace keiko

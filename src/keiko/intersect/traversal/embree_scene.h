@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace keiko {
@@ -54,5 +55,8 @@ private:
     Vec3 center_{0};
     double radius_ = 0;
 };
+
+/// Version of the loaded Embree: "3.13.5".
+std::string embree_version();
 
 } // namespace keiko
