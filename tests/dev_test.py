@@ -1,4 +1,4 @@
-"""./dev keeps the log that its output goes to, and lints what the last commit changed."""
+"""./dev keeps the log that its output goes to, lints what the last commit changed, and makes packages."""
 import os
 import shutil
 import subprocess
@@ -22,12 +22,15 @@ PROGRAMS = {
     printf '#!/bin/sh\\necho "keiko $*"\\n' >build/release/bin/keiko
     chmod +x build/release/bin/keiko ;;
 esac""",
+    "cpack": """echo "cpack $*" >>made
+: >build/package/keiko_1_all.deb""",
+    "python3": 'echo "python3 $*"',
     "clang-tidy": """for file; do :; done
 echo "linted $file"
 ! grep -q bug "$file"
 """,
 }
-NEEDED = "bash cat date dirname env git grep mkdir nproc paste sed sh sort xargs chmod".split()
+NEEDED = "bash cat date dirname env git grep ls mkdir nproc paste rm sed sh sort xargs chmod".split()
 
 
 class DevTest(unittest.TestCase):
@@ -67,6 +70,24 @@ class Logs(DevTest):
     def test_later_ones_are_silent(self):
         self.log_of("build")
         self.assertEqual(self.log_of("build"), "what stood there before\n[1/1] Linking\n")
+
+
+class Packages(DevTest):
+    def test_are_made_anew_and_listed(self):
+        stale = self.folder / "build/package/old_0_all.deb"
+        stale.parent.mkdir(parents=True)
+        stale.write_text("")
+        run = self.dev("package", capture_output=True, check=True)
+        self.assertEqual(run.stdout, "build/package/keiko_1_all.deb\n")
+        self.assertFalse(stale.exists())
+        self.assertRegex((self.folder / "made").read_text(), r"^cpack -G DEB -B build/package --config build/release/")
+
+    def test_are_tried_only_on_request(self):
+        run = self.dev("package", "--try", capture_output=True, check=True)
+        self.assertRegex(run.stdout, r"\.deb\npython3 -B tests/install/try_packages\.py build/package build/try/debian\n$")
+        run = self.dev("package", "--tri", capture_output=True)
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("package --try", run.stderr)
 
 
 class LintOfTheLastCommit(DevTest):
