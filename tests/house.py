@@ -86,7 +86,7 @@ CHAMBERS = {
         "basics": set(),
         "seams": {"basics"},
         "openings": {"seams"},
-        "overlaps": {"openings"},
+        "overlaps": {"openings", "structure"},
         "lines": {"seams"},
         "combs": {"basics"},
         "flaws": {"seams"},

@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/inspect/border_checks.h"
+#include "keiko/inspect/contact_checks.h"
 #include "keiko/inspect/flaws/flaw_search.h"
 #include "keiko/inspect/seams/seam_line.h"
 #include "keiko/inspect/structure_checks.h"
@@ -183,6 +184,8 @@ std::vector<Check> checks_of_faces(const ModelBorders& borders, Inspection& resu
         checks_at_borders(borders, result.seams, result.pieces, result.limits, result.join, job);
     std::vector<Check> of_structure = structure_checks(borders, result.faces, result.limits, job);
     std::move(of_structure.begin(), of_structure.end(), std::back_inserter(checks));
+    std::vector<Check> of_contacts = contact_checks(borders, result.faces, result.limits, job);
+    std::move(of_contacts.begin(), of_contacts.end(), std::back_inserter(checks));
     for (const Check& check : checks)
         if (check.is_finding())
             result.faces[check.face].verdict =

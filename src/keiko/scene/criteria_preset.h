@@ -60,14 +60,27 @@ struct SurfaceLimits {
 
 /// Limits of how faces are put together from patches and edges; what is absent is not judged.
 struct StructureLimits {
-    std::optional<int> degree;             ///< G-SU-HD: largest of a spline surface, in u and in v
-    std::optional<int> spans;              ///< KEIKO-SPANS: most knot spans, in u and in v
-    std::optional<double> knot_distance;   ///< mm, G-SU-IK: least width of a knot span
-    std::optional<double> patch_edge;      ///< mm, G-SU-TI: shortest edge that is not a point
-    std::optional<double> degenerate_edge; ///< mm, G-SU-DC: shortest edge, points included
-    std::optional<double> corner_angle;    ///< degrees, G-SU-DP: from 0 and from 180
-    std::optional<double> short_edge;      ///< mm, G-CU-TI: shortest edge of a face
-    std::optional<double> small_face;      ///< mm, G-FA-TI: smallest size of a face
+    std::optional<int> degree;              ///< G-SU-HD: largest of a spline surface, in u and in v
+    std::optional<int> spans;               ///< KEIKO-SPANS: most knot spans, in u and in v
+    std::optional<double> knot_distance;    ///< mm, G-SU-IK: least width of a knot span
+    std::optional<double> patch_edge;       ///< mm, G-SU-TI: shortest edge that is not a point
+    std::optional<double> degenerate_edge;  ///< mm, G-SU-DC: shortest edge, points included
+    std::optional<double> corner_angle;     ///< degrees, G-SU-DP: from 0 and from 180
+    std::optional<double> short_edge;       ///< mm, G-CU-TI: shortest edge of a face
+    std::optional<double> small_face;       ///< mm, G-FA-TI: smallest size of a face
+    std::optional<double> width_ratio;      ///< G-SU-RN: of neighbouring knot spans, 1 or more
+    std::optional<double> control_turn;     ///< degrees, KEIKO-NET-TURN: along a row of the net
+    std::optional<double> control_twist;    ///< degrees, KEIKO-NET-TWIST: between rows side by side
+    std::optional<double> control_ratio;    ///< KEIKO-NET-RATIO: of neighbouring legs, 1 or more
+    std::optional<double> control_distance; ///< mm, KEIKO-NET-POINTS: least, of neighbours in a row
+    std::optional<double> identical_face;   ///< mm, G-SU-EM: least distance of a face from another
+    std::optional<double> identical_edge;   ///< mm, G-CU-EM: least distance of an edge from another
+    std::optional<double> self_distance;    ///< mm, G-SU-IS: least distance of a face from itself
+    std::optional<double> loop_crossing;    ///< mm, G-LO-IS: longest part of a loop cut off by it
+    std::optional<double> edge_gap;         ///< mm, G-CU-LG: between edges that follow in a loop
+    std::optional<double> edge_angle;       ///< degrees, G-CU-NT: kink inside an edge
+    std::optional<int> edge_degree;         ///< G-CU-HD: largest of the curves of an edge
+    std::optional<double> edge_knot_distance; ///< mm, G-CU-IK: shortest curve of an edge
 
     bool operator==(const StructureLimits&) const = default;
 };

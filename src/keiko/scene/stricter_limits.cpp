@@ -96,6 +96,33 @@ std::optional<double> real(const std::optional<int>& number) {
     return number ? std::optional<double>(*number) : std::nullopt;
 }
 
+void compare_spans(const StructureLimits& own, const StructureLimits& all, Comparison& than) {
+    than.at_most("degree", real(own.degree), real(all.degree));
+    than.at_most("number of spans", real(own.spans), real(all.spans));
+    than.at_least("width of a knot span", own.knot_distance, all.knot_distance, " mm");
+    than.at_most("ratio of widths of spans", own.width_ratio, all.width_ratio);
+    than.at_least("edge of a patch", own.patch_edge, all.patch_edge, " mm");
+    than.at_least("degenerate edge", own.degenerate_edge, all.degenerate_edge, " mm");
+    than.at_least("angle at a corner", own.corner_angle, all.corner_angle, " degrees");
+    than.at_most("turn of control points", own.control_turn, all.control_turn, " degrees");
+    than.at_most("twist of control points", own.control_twist, all.control_twist, " degrees");
+    than.at_most("ratio of legs of control points", own.control_ratio, all.control_ratio);
+    than.at_least("distance of control points", own.control_distance, all.control_distance, " mm");
+}
+
+void compare_edges(const StructureLimits& own, const StructureLimits& all, Comparison& than) {
+    than.at_least("edge of a face", own.short_edge, all.short_edge, " mm");
+    than.at_least("size of a face", own.small_face, all.small_face, " mm");
+    than.at_least("distance of faces", own.identical_face, all.identical_face, " mm");
+    than.at_least("distance of edges", own.identical_edge, all.identical_edge, " mm");
+    than.at_least("distance of a face from itself", own.self_distance, all.self_distance, " mm");
+    than.at_most("crossing of a loop", own.loop_crossing, all.loop_crossing, " mm");
+    than.at_most("gap between edges", own.edge_gap, all.edge_gap, " mm");
+    than.at_most("kink of an edge", own.edge_angle, all.edge_angle, " degrees");
+    than.at_most("degree of an edge", real(own.edge_degree), real(all.edge_degree));
+    than.at_least("curve of an edge", own.edge_knot_distance, all.edge_knot_distance, " mm");
+}
+
 } // namespace
 
 CriteriaPreset stricter_limits(const CriteriaPreset& a, const CriteriaPreset& b) {
@@ -124,15 +151,8 @@ std::vector<std::string> looser_limits(const CriteriaPreset& zone, const Criteri
     than.draft(zone.surface.draft, preset.surface.draft);
     for (const WavinessLimit& limit : preset.surface.waviness)
         than.waviness(zone.surface.waviness, limit);
-    const StructureLimits &own = zone.structure, &all = preset.structure;
-    than.at_most("degree", real(own.degree), real(all.degree));
-    than.at_most("number of spans", real(own.spans), real(all.spans));
-    than.at_least("width of a knot span", own.knot_distance, all.knot_distance, " mm");
-    than.at_least("edge of a patch", own.patch_edge, all.patch_edge, " mm");
-    than.at_least("degenerate edge", own.degenerate_edge, all.degenerate_edge, " mm");
-    than.at_least("angle at a corner", own.corner_angle, all.corner_angle, " degrees");
-    than.at_least("edge of a face", own.short_edge, all.short_edge, " mm");
-    than.at_least("size of a face", own.small_face, all.small_face, " mm");
+    compare_spans(zone.structure, preset.structure, than);
+    compare_edges(zone.structure, preset.structure, than);
     return than.take();
 }
 

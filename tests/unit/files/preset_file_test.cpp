@@ -219,7 +219,12 @@ TEST(PresetFile, HoldsLimitsOfFaces) {
 }
 
 TEST(PresetFile, HoldsLimitsOfStructure) {
-    const StructureLimits printed{11, std::nullopt, 0.02, 0.2, std::nullopt, 2, 0.02, 0.02};
+    StructureLimits printed;
+    printed.degree = printed.edge_degree = 11, printed.patch_edge = 0.2, printed.corner_angle = 2;
+    printed.knot_distance = printed.short_edge = printed.small_face = 0.02;
+    printed.identical_face = printed.identical_edge = printed.self_distance = 0.02;
+    printed.loop_crossing = printed.edge_gap = printed.edge_knot_distance = 0.02;
+    printed.edge_angle = 0.1;
     EXPECT_EQ(preset_by_name("vda-4955").structure, printed);
     EXPECT_EQ(preset_by_name("class-a-outer").structure, StructureLimits{});
     const std::string text =
@@ -228,6 +233,18 @@ TEST(PresetFile, HoldsLimitsOfStructure) {
     EXPECT_EQ(parse_preset(text, "p.toml").structure.spans, 4);
     EXPECT_EQ(refused("name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[structure]\nspan = 4\n"),
               "p.toml:7:1: unknown key 'structure.span' (did you mean 'spans'?)");
+}
+
+TEST(PresetFile, RefusesLimitsOfStructureThatNothingIsBeyond) {
+    const std::string head = "name = \"x\"\n[seam]\ngap = 1\nangle = 1\n[structure]\n";
+    EXPECT_EQ(
+        refused(head + "control_turn = 180\n"),
+        "p.toml:7:16: structure.control_turn: must be above 0 and below 180, which nothing is "
+        "beyond, is 180");
+    EXPECT_NE(refused(head + "control_ratio = 0.5\n").find("structure.control_ratio"),
+              std::string::npos);
+    EXPECT_NE(refused(head + "self_distance = 0\n").find("structure.self_distance"),
+              std::string::npos);
 }
 
 /// The default one reports dents and waves that it does not judge.

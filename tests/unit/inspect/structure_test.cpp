@@ -3,6 +3,7 @@
 #include "keiko/inspect/structure/face_structure.h"
 
 #include "tests/support/analytic_models.h"
+#include "tests/support/random.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -177,6 +178,139 @@ TEST(SpanStructure, IsThatOfTheFaceAsPlaced) {
     SurfaceModel model = sheet({50, 0.15, 50});
     model.instances[0].transform = test::stretched({2, 2, 2}, {0, 0, 1}, Vec3(0));
     EXPECT_EQ(measured(model, limits).patch_edge->verdict, Verdict::pass);
+}
+
+/// A patch drawn out along y, whose rows along u have these points of the plane y = 0.
+SurfaceModel row(const std::vector<Vec2>& points) {
+    test::ModelBuilder builder;
+    std::vector<Vec3> net;
+    for (const Vec2& p : points) {
+        net.emplace_back(p.x, 0, p.y);
+        net.emplace_back(p.x, 10, p.y);
+    }
+    builder.patch(static_cast<int>(points.size()) - 1, 1, net);
+    return builder.build();
+}
+
+TEST(ControlNet, MeasuresTheTurnOfARow) {
+    StructureLimits limits;
+    limits.control_turn = 90;
+    const auto with = [&](double degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const Vec2 bent(10 + 5 * std::cos(angle), 5 * std::sin(angle));
+        return *measured(row({Vec2(0), Vec2(10, 0), bent}), limits).control_turn;
+    };
+    EXPECT_NEAR(with(95).value, 95, 1e-9);
+    EXPECT_EQ(with(95).verdict, Verdict::fail);
+    EXPECT_NEAR(with(95).place.x, 10, 1e-12);
+    EXPECT_NEAR(with(85).value, 85, 1e-9);
+    EXPECT_EQ(with(85).verdict, Verdict::pass);
+    EXPECT_NEAR(with(180).value, 180, 1e-6);
+}
+
+/// A double control point between the two legs hides no turn.
+TEST(ControlNet, TurnsOverCoincidentPoints) {
+    StructureLimits limits;
+    limits.control_turn = 90;
+    const SurfaceModel back = row({Vec2(0), Vec2(10, 0), Vec2(10, 0), Vec2(4, 0)});
+    EXPECT_NEAR(measured(back, limits).control_turn->value, 180, 1e-6);
+}
+
+TEST(ControlNet, MeasuresTheTwistBetweenRows) {
+    StructureLimits limits;
+    limits.control_twist = 45;
+    const auto with = [&](double degrees) {
+        const double angle = degrees * std::numbers::pi / 180;
+        const Vec3 way(10 * std::cos(angle), 0, 10 * std::sin(angle));
+        return *measured(patch(Vec3(0), {0, 9, 0}, {10, 0, 0}, Vec3(0, 9, 0) + way), limits)
+                    .control_twist;
+    };
+    EXPECT_NEAR(with(50).value, 50, 1e-9);
+    EXPECT_EQ(with(50).verdict, Verdict::fail);
+    EXPECT_EQ(with(40).verdict, Verdict::pass);
+}
+
+TEST(ControlNet, MeasuresTheRatioOfLegs) {
+    StructureLimits limits;
+    limits.control_ratio = 3;
+    const MeasuredValue uneven =
+        *measured(row({Vec2(0), Vec2(1, 0), Vec2(4.1, 0)}), limits).control_ratio;
+    EXPECT_NEAR(uneven.value, 3.1, 1e-12);
+    EXPECT_EQ(uneven.verdict, Verdict::fail);
+    EXPECT_EQ(measured(row({Vec2(0), Vec2(2.9, 0), Vec2(3.9, 0)}), limits).control_ratio->verdict,
+              Verdict::pass);
+    // A point that is there twice makes the ratio as large as rounding lets it be.
+    EXPECT_GT(measured(row({Vec2(0), Vec2(1, 0), Vec2(1, 0)}), limits).control_ratio->value, 1e9);
+    EXPECT_FALSE(measured(sheet({5}), limits).control_ratio);
+}
+
+TEST(ControlNet, FindsPointsThatAreThereTwice) {
+    StructureLimits limits;
+    limits.control_distance = 0.02;
+    const auto with = [&](double distance) {
+        return *measured(row({Vec2(0), Vec2(5, 0), Vec2(5 + distance, 0), Vec2(9, 0)}), limits)
+                    .control_distance;
+    };
+    EXPECT_NEAR(with(0.019).value, 0.019, 1e-12);
+    EXPECT_EQ(with(0.019).verdict, Verdict::fail);
+    EXPECT_EQ(with(0.021).verdict, Verdict::pass);
+}
+
+/// An edge that is a point has neither order nor evenness, and its points are one on purpose.
+TEST(ControlNet, LeavesPolesAlone) {
+    StructureLimits limits;
+    limits.control_distance = 0.02, limits.control_turn = 90, limits.control_twist = 90;
+    limits.control_ratio = 3;
+    const SpanStructure of =
+        measured(test::sphere_model(test::stretched(Vec3(100), {0, 0, 1}, Vec3(0))), limits);
+    EXPECT_EQ(of.control_distance->verdict, Verdict::pass);
+    EXPECT_NEAR(of.control_turn->value, 90, 1e-6);                   // of a quarter of a circle
+    EXPECT_NEAR(of.control_ratio->value, std::numbers::sqrt2, 1e-6); // beside a pole
+}
+
+/// Planted in a random even net: the one leg, turn or ratio that is worst is found, and where.
+TEST(ControlNet, FindsWhatIsPlantedInRandomNets) {
+    test::Random random(7);
+    for (int k = 0; k < 50; ++k) {
+        std::vector<Vec3> points;
+        for (int i = 0; i < 5; ++i)
+            for (int j = 0; j < 4; ++j)
+                points.emplace_back(i * 20 + test::uniform(random, -3, 3),
+                                    j * 20 + test::uniform(random, -3, 3),
+                                    test::uniform(random, -3, 3));
+        const auto planted_at = [&](std::size_t i, std::size_t j) -> Vec3& {
+            return points[i * 4 + j];
+        };
+        const std::size_t i = 1 + test::pick(random, 2), j = test::pick(random, 4);
+        const double distance = test::uniform(random, 0.001, 0.0199);
+        const bool planted = k % 2 == 0;
+        if (planted)
+            planted_at(i + 1, j) = planted_at(i, j) + test::random_direction(random) * distance;
+        test::ModelBuilder builder;
+        builder.patch(4, 3, points);
+        StructureLimits limits;
+        limits.control_distance = 0.02, limits.control_ratio = 5, limits.control_turn = 90;
+        const SpanStructure of = measured(builder.build(), limits);
+        EXPECT_EQ(of.control_distance->verdict, planted ? Verdict::fail : Verdict::pass) << k;
+        EXPECT_EQ(of.control_ratio->verdict, planted ? Verdict::fail : Verdict::pass) << k;
+        if (!planted) {
+            EXPECT_EQ(of.control_turn->verdict, Verdict::pass) << k;
+            continue;
+        }
+        EXPECT_NEAR(of.control_distance->value, distance, 1e-9) << k;
+        EXPECT_LT((of.control_distance->place - planted_at(i, j)).length(), 0.02) << k;
+    }
+}
+
+TEST(SpanStructure, MeasuresTheRatioOfNeighbouringSpans) {
+    StructureLimits limits;
+    limits.width_ratio = 10;
+    const MeasuredValue uneven = *measured(sheet({50, 4.9, 20}), limits).width_ratio;
+    EXPECT_NEAR(uneven.value, 50 / 4.9, 1e-6);
+    EXPECT_EQ(uneven.verdict, Verdict::fail);
+    EXPECT_NEAR(uneven.place.x, 52.45, 1e-9);
+    EXPECT_EQ(measured(sheet({50, 5.1, 20}), limits).width_ratio->verdict, Verdict::pass);
+    EXPECT_FALSE(measured(sheet({50}), limits).width_ratio);
 }
 
 TEST(Structure, IsNotJudgedWithoutALimit) {

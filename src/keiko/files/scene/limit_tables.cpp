@@ -5,13 +5,15 @@
 namespace keiko {
 namespace {
 
+constexpr TomlLimits ratios{.low = 1};
 constexpr TomlLimits corner_angles{.low = 0, .high = 90, .above_low = true};
 
 /// Largest values that quantities can have: a limit as large judges nothing.
 struct LargestValues {
     static constexpr double alias = 1, catia = 2;  ///< mismatch of curvatures, by its formula
     static constexpr double curvature_slope = 180; ///< degrees, between tangents of two plots
-    static constexpr double turn = 90, kink = 180; ///< degrees, of lines
+    static constexpr double turn = 90, kink = 180; ///< degrees, of lines; of edges as of lines
+    static constexpr double control_angle = 180;   ///< degrees, between legs of a control net
 };
 
 /// A limit that a quantity of at most `largest` can be beyond.
@@ -119,17 +121,46 @@ SurfaceLimits surface_limits_from(const TomlTable& table) {
     return limits;
 }
 
-StructureLimits structure_limits_from(const TomlTable& table) {
-    constexpr int most_degree = 100, most_spans = 1000000;
-    StructureLimits limits;
+namespace {
+
+constexpr int most_degree = 100;
+
+/// Limits of knot spans and of their control points.
+void read_span_limits(const TomlTable& table, StructureLimits& limits) {
+    constexpr int most_spans = 1000000;
     limits.degree = table.integer("degree", 1, most_degree);
     limits.spans = table.integer("spans", 1, most_spans);
     limits.knot_distance = table.number("knot_distance", limit_lengths);
+    limits.width_ratio = table.number("width_ratio", ratios);
     limits.patch_edge = table.number("patch_edge", limit_lengths);
     limits.degenerate_edge = table.number("degenerate_edge", limit_lengths);
     limits.corner_angle = table.number("corner_angle", corner_angles);
+    limits.control_turn = limit_below(table, "control_turn", LargestValues::control_angle);
+    limits.control_twist = limit_below(table, "control_twist", LargestValues::control_angle);
+    limits.control_ratio = table.number("control_ratio", ratios);
+    limits.control_distance = table.number("control_distance", limit_lengths);
+}
+
+/// Limits of edges, and of faces as a whole.
+void read_edge_limits(const TomlTable& table, StructureLimits& limits) {
     limits.short_edge = table.number("short_edge", limit_lengths);
     limits.small_face = table.number("small_face", limit_lengths);
+    limits.identical_face = table.number("identical_face", limit_lengths);
+    limits.identical_edge = table.number("identical_edge", limit_lengths);
+    limits.self_distance = table.number("self_distance", limit_lengths);
+    limits.loop_crossing = table.number("loop_crossing", limit_lengths);
+    limits.edge_gap = table.number("edge_gap", limit_lengths);
+    limits.edge_angle = limit_below(table, "edge_angle", LargestValues::kink);
+    limits.edge_degree = table.integer("edge_degree", 1, most_degree);
+    limits.edge_knot_distance = table.number("edge_knot_distance", limit_lengths);
+}
+
+} // namespace
+
+StructureLimits structure_limits_from(const TomlTable& table) {
+    StructureLimits limits;
+    read_span_limits(table, limits);
+    read_edge_limits(table, limits);
     table.finish();
     return limits;
 }

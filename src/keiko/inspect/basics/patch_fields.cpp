@@ -61,6 +61,12 @@ HomogeneousField homogeneous_field(const BezierPatchView& patch, double rounding
     return {{field(0), field(1), field(2)}, field(3)};
 }
 
+FieldTriple tangent_field(const BezierPatchView& patch, bool by_u, double rounding) {
+    const HomogeneousField s = homogeneous_field(patch, rounding), d = s.derivative(by_u);
+    if (!patch.rational()) return d.p;
+    return d.p * s.w + s.p * (d.w * BernsteinField(0, 0, {-1.0}, 0));
+}
+
 FieldTriple normal_field(const BezierPatchView& patch, double rounding) {
     const HomogeneousField s = homogeneous_field(patch, rounding), u = s.derivative(true),
                            v = s.derivative(false);

@@ -41,6 +41,9 @@ struct HomogeneousField {
 /// The patch in homogeneous coordinates. `rounding`: error of each of them, mm.
 HomogeneousField homogeneous_field(const BezierPatchView& patch, double rounding);
 
+/// S_u (`by_u`) or S_v of a patch times its weight squared, or its weight where all are equal.
+FieldTriple tangent_field(const BezierPatchView& patch, bool by_u, double rounding);
+
 /// S_u x S_v of a patch times its weight cubed, w^3, or w^2 where all weights are equal. Its
 /// direction is the patch's normal, and it is 0 where the patch is singular.
 FieldTriple normal_field(const BezierPatchView& patch, double rounding);

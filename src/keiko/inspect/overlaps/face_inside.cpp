@@ -25,13 +25,23 @@ TrimSide FaceInside::side(std::uint32_t patch, const Box2& uv) {
     return trims().classify(face_box(model_, patch, uv));
 }
 
-bool FaceInside::is_inside(std::uint32_t index, const Vec2& uv, const SurfaceDerivatives& s) {
+ParameterMetric FaceInside::metric(std::uint32_t index, const Vec2& uv,
+                                   const SurfaceDerivatives& s) const {
     const Patch& patch = model_.patches[index];
-    const ParameterMetric metric(s.du() / patch.map_u.derivative(uv.x),
-                                 s.dv() / patch.map_v.derivative(uv.y));
-    const Vec2 place = model_.face_parameters(index, uv);
-    if (face_.loop_count == 0) return !is_near_side(place, metric);
-    return trims().contains(place) && !trims().nearest_curve(place, metric, margin_);
+    return {s.du() / patch.map_u.derivative(uv.x), s.dv() / patch.map_v.derivative(uv.y)};
+}
+
+bool FaceInside::is_inside(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s) {
+    const ParameterMetric step = metric(patch, uv, s);
+    const Vec2 place = model_.face_parameters(patch, uv);
+    if (face_.loop_count == 0) return !is_near_side(place, step);
+    return trims().contains(place) && !trims().nearest_curve(place, step, margin_);
+}
+
+bool FaceInside::is_on(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s) {
+    if (face_.loop_count == 0) return true;
+    const Vec2 place = model_.face_parameters(patch, uv);
+    return trims().contains(place) || trims().nearest_curve(place, metric(patch, uv, s), margin_);
 }
 
 bool FaceInside::is_near_side(const Vec2& place, const ParameterMetric& metric) const {

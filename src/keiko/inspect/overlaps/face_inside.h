@@ -23,9 +23,12 @@ public:
     TrimSide side(std::uint32_t patch, const Box2& uv);
     /// `s`: the placed derivatives there by the patch's parameters, mm, of first order or more.
     bool is_inside(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s);
+    /// True if the place is material, or within the margin of a border. `s` as above.
+    bool is_on(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s);
 
 private:
     const TrimRegion& trims();
+    ParameterMetric metric(std::uint32_t patch, const Vec2& uv, const SurfaceDerivatives& s) const;
     bool is_near_side(const Vec2& place, const ParameterMetric& metric) const;
 
     const SurfaceModel& model_;

@@ -16,12 +16,17 @@ namespace keiko {
 /// How a placed spline face is put together from knot spans. Each value is measured, and judged, if
 /// the limits have one for it.
 struct SpanStructure {
-    std::optional<MeasuredValue> degree;          ///< the larger of the two
-    std::optional<MeasuredValue> spans;           ///< the larger number of the two directions
-    std::optional<MeasuredValue> knot_distance;   ///< mm
-    std::optional<MeasuredValue> patch_edge;      ///< mm; nullopt if all edges are points
-    std::optional<MeasuredValue> degenerate_edge; ///< mm
-    std::optional<MeasuredValue> corner_angle;    ///< degrees; nullopt if no corner has two edges
+    std::optional<MeasuredValue> degree;           ///< the larger of the two
+    std::optional<MeasuredValue> spans;            ///< the larger number of the two directions
+    std::optional<MeasuredValue> knot_distance;    ///< mm
+    std::optional<MeasuredValue> patch_edge;       ///< mm; nullopt if all edges are points
+    std::optional<MeasuredValue> degenerate_edge;  ///< mm
+    std::optional<MeasuredValue> corner_angle;     ///< degrees; nullopt if no corner has two edges
+    std::optional<MeasuredValue> width_ratio;      ///< nullopt if no direction has two spans
+    std::optional<MeasuredValue> control_turn;     ///< degrees; nullopt if no row has two legs
+    std::optional<MeasuredValue> control_twist;    ///< degrees; nullopt if all rows are points
+    std::optional<MeasuredValue> control_ratio;    ///< nullopt if no row has two legs
+    std::optional<MeasuredValue> control_distance; ///< mm; nullopt if all rows are points
 };
 
 /// True if the patches of a face are the knot spans of a spline surface of its file. Those of other

@@ -11,14 +11,30 @@ Json waviness_json(const WavinessLimit& limit) {
 /// The limits that the preset has.
 Json structure_json(const StructureLimits& limits) {
     Json json = Json::object();
-    if (limits.degree) json["degree"] = *limits.degree;
-    if (limits.spans) json["spans"] = *limits.spans;
-    if (limits.knot_distance) json["knot_distance"] = *limits.knot_distance;
-    if (limits.patch_edge) json["patch_edge"] = *limits.patch_edge;
-    if (limits.degenerate_edge) json["degenerate_edge"] = *limits.degenerate_edge;
-    if (limits.corner_angle) json["corner_angle"] = *limits.corner_angle;
-    if (limits.short_edge) json["short_edge"] = *limits.short_edge;
-    if (limits.small_face) json["small_face"] = *limits.small_face;
+    const auto add = [&json](const char* key, const auto& limit) {
+        if (limit) json[key] = *limit;
+    };
+    add("degree", limits.degree);
+    add("spans", limits.spans);
+    add("knot_distance", limits.knot_distance);
+    add("width_ratio", limits.width_ratio);
+    add("patch_edge", limits.patch_edge);
+    add("degenerate_edge", limits.degenerate_edge);
+    add("corner_angle", limits.corner_angle);
+    add("control_turn", limits.control_turn);
+    add("control_twist", limits.control_twist);
+    add("control_ratio", limits.control_ratio);
+    add("control_distance", limits.control_distance);
+    add("short_edge", limits.short_edge);
+    add("small_face", limits.small_face);
+    add("identical_face", limits.identical_face);
+    add("identical_edge", limits.identical_edge);
+    add("self_distance", limits.self_distance);
+    add("loop_crossing", limits.loop_crossing);
+    add("edge_gap", limits.edge_gap);
+    add("edge_angle", limits.edge_angle);
+    add("edge_degree", limits.edge_degree);
+    add("edge_knot_distance", limits.edge_knot_distance);
     return json;
 }
 
