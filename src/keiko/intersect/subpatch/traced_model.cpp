@@ -3,6 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bezier/subpatch.h"
+#include "keiko/math/unit_vectors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -210,11 +211,9 @@ PartRay part_ray(const Vec3& origin, const Vec3& direction, double error) {
     ray.origin = origin;
     ray.speed = direction.length();
     ray.direction = direction / ray.speed;
-    // Two normals across the direction [Duff2017].
-    const Vec3& d = ray.direction;
-    const double sign = std::copysign(1.0, d.z), a = -1 / (sign + d.z), b = d.x * d.y * a;
-    ray.normal_f = {1 + sign * d.x * d.x * a, sign * b, -sign * d.x};
-    ray.normal_g = {b, sign + d.y * d.y * a, -d.y};
+    const AxesAcross across(ray.direction, std::copysign(1.0, ray.direction.z));
+    ray.normal_f = across.x;
+    ray.normal_g = across.y;
     ray.error = error;
     return ray;
 }
