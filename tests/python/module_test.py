@@ -323,6 +323,28 @@ class ModuleTest(unittest.TestCase):
         told("render", self.sheets, "--size", "64x36", "-o", path, "-q")
         self.assertEqual(keiko.render(self.sheets, width=64, height=36)._repr_png_(), path.read_bytes())
 
+    def test_deep_buffers_hold_what_pictures_show(self):
+        film = keiko.render(self.scene, "top", width=64, height=36, aovs=["depth", "normal", "face"])
+        deep = keiko.deep_view(self.scene, "top", width=64, height=36)
+        samples = deep.samples
+        self.assertEqual(samples.shape, (36, 64))
+        self.assertTrue((samples["t"] == film.aovs["depth"][:, :, 0]).all())
+        seen = np.isfinite(samples["t"])
+        self.assertTrue(0.3 < seen.mean() < 1)
+        self.assertTrue((samples["face"][~seen] == 0).all() and (samples["face"][seen] >= 1).all())
+        size = np.abs(film.aovs["normal"]).sum(axis=2)
+        upper = seen & (film.aovs["normal"][:, :, 2] > 0)  # the eye is above, and so are facing normals
+        place = film.aovs["normal"][:, :, 0][upper] / size[upper]
+        self.assertLess(np.abs(samples["normal_x"][upper] - place).max(), 1e-6)
+        self.assertEqual(deep.bounces.dtype.names, ("pixel", "sample"))
+        one = keiko.deep_view(self.scene, "top", width=64, height=36, reflections=1)
+        self.assertTrue((one.samples["way"] == samples["way"]).all())
+        self.assertEqual(len(one.bounces), 0)
+        with self.assertRaises(keiko.Error):
+            keiko.deep_view(self.scene, "top", reflections=9)
+        del deep
+        self.assertTrue(np.isfinite(samples["t"][seen]).all(), "the array keeps the buffer")
+
     def test_pictures_are_arrays(self):
         film = keiko.render(self.scene, "top", width=64, height=36, aovs=["depth", "normal"])
         picture = np.asarray(film)

@@ -137,7 +137,7 @@ private:
         return mirrored;
     }
 
-    /// Keeps finished samples, after so many reflections.
+    /// Keeps finished samples, after `depth` reflections.
     void keep(std::span<const DeepBounce> met, int depth) {
         if (depth > 0) bounces_.insert(bounces_.end(), met.begin(), met.end());
         if (depth != 0) return;
@@ -156,7 +156,7 @@ private:
     std::vector<DeepBounce> bounces_;
 };
 
-/// Tiles of so many rows of a picture.
+/// Tiles of the first rows of a picture.
 std::vector<Tile> tiles_of_rows(const Camera& camera, int rows) {
     Camera part = camera;
     part.height = rows;

@@ -13,12 +13,12 @@
 
 namespace KEIKO_API keiko {
 
-/// Rows of a picture: one, and every so many-th below it.
+/// Rows of a picture at equal distances.
 struct RowSet {
     int first = 0; ///< the uppermost, from 0 to `step` - 1
     int step = 1;  ///< rows from one to the next, at least 1
 
-    /// Number of rows in a picture of so many.
+    /// Number of rows in a picture of that height.
     int count(int height) const { return first < height ? (height - first - 1) / step + 1 : 0; }
 };
 

@@ -61,12 +61,7 @@ CheckResult check_models(std::span<const std::filesystem::path> inputs, const Ch
     return result;
 }
 
-ModelFacts model_info(const std::filesystem::path& file, const FactsOptions& options,
-                      const Job& job) {
-    SurfaceModel model = load_model(file, options.load, job);
-    if (options.load.axes.empty())
-        if (auto remark = axes_remark(material_bounds(model, job)))
-            model.diagnostics.push_back(*remark);
+ModelFacts body_info(const SurfaceModel& model, const FactsOptions& options, const Job& job) {
     const std::vector<Seam> seams = pair_seams(model, options.join, job);
     const ModelBorders borders(model);
     ModelFacts facts = model_facts(borders, seams, options.join, job);
@@ -76,6 +71,15 @@ ModelFacts model_info(const std::filesystem::path& file, const FactsOptions& opt
         facts.tracing = timed_trace_facts(tracer.statistics());
     }
     return facts;
+}
+
+ModelFacts model_info(const std::filesystem::path& file, const FactsOptions& options,
+                      const Job& job) {
+    SurfaceModel model = load_model(file, options.load, job);
+    if (options.load.axes.empty())
+        if (auto remark = axes_remark(material_bounds(model, job)))
+            model.diagnostics.push_back(*remark);
+    return body_info(model, options, job);
 }
 
 } // namespace keiko

@@ -64,10 +64,14 @@ CheckResult check_models(std::span<const std::filesystem::path> inputs,
 
 /// Options of model_info.
 struct FactsOptions {
-    LoadOptions load;     ///< of the model file
+    LoadOptions load;     ///< of the model file; not of a body that has been read
     double join = 0.5;    ///< mm, within which two borders count as a seam
     bool tracing = false; ///< builds the tracer too, and reports its statistics
 };
+
+/// Summary of a body that has been read.
+ModelFacts body_info(const SurfaceModel& model, const FactsOptions& options = {},
+                     const Job& job = {});
 
 /// Reads a model file and summarises it.
 ModelFacts model_info(const std::filesystem::path& file, const FactsOptions& options = {},

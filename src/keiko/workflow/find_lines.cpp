@@ -76,10 +76,27 @@ LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const Na
     return list;
 }
 
-LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& job) {
-    const LightRig rig = rig_for_lines(scene, options);
+namespace {
+
+void require_lines(const LightRig& rig) {
     if (!has_lines(rig))
         throw Error("", "rig '" + rig.name + "'", "has no C-plane, so that there are no lines");
+}
+
+} // namespace
+
+LineList lines_in_view(const Scene& scene, const LightRig& rig, const NamedView& view,
+                       const LinesOptions& options, const Job& job) {
+    require_lines(rig);
+    constexpr double choosing = 1, following = 4;
+    JobSteps steps(job, choosing + following);
+    const FaceLimits limits = limits_in(scene, options.preset, options.scope, steps.next(choosing));
+    return lines_under(scene, rig, {&view, 1}, options, limits, steps.next_of_steps(following));
+}
+
+LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& job) {
+    const LightRig rig = rig_for_lines(scene, options);
+    require_lines(rig);
     constexpr double choosing = 1, following = 4;
     JobSteps steps(job, choosing + following);
     const Job to_choose = steps.next(choosing, 2);

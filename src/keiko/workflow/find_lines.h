@@ -31,6 +31,11 @@ struct LinesOptions {
 /// without C-planes.
 LineList find_lines(const Scene& scene, const LinesOptions& options = {}, const Job& job = {});
 
+/// Lines as in find_lines in one view, under a rig at hand: views and rig of the options are not
+/// read. Throws Error for a rig without C-planes.
+LineList lines_in_view(const Scene& scene, const LightRig& rig, const NamedView& view,
+                       const LinesOptions& options = {}, const Job& job = {});
+
 /// The rig of the options, or else the scene's own. Throws Error without either.
 LightRig rig_for_lines(const Scene& scene, const LinesOptions& options);
 

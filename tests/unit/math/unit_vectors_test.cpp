@@ -29,7 +29,7 @@ TEST(UnitVectors, AreRestoredFromTheOctahedron) {
     }
 }
 
-// What single precision stores is off by less than a second of arc, all over the sphere.
+// The error of single precision is below a second of arc, all over the sphere.
 TEST(UnitVectors, OfSinglePrecisionAreOffByLessThanATenMillionth) {
     for (const Vec3& unit : directions()) {
         const Vec2 place = octahedral(unit);

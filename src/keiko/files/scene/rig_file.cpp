@@ -84,8 +84,10 @@ LightRig rig_from(const TomlTable& table) {
     return rig;
 }
 
-LightRig parse_rig(std::string_view text, const std::string& source) {
-    const TomlTable root = TomlTable::parse(text, source);
+namespace {
+
+/// The rig of a whole file.
+LightRig whole_rig(const TomlTable& root) {
     root.require_format(format);
     LightRig rig = rig_from(root);
     root.finish();
@@ -95,6 +97,16 @@ LightRig parse_rig(std::string_view text, const std::string& source) {
             "the rig has no light: neither [[c_plane]] nor [[spotlight]] nor [[luminaire]] "
             "nor [sun]");
     return rig;
+}
+
+} // namespace
+
+LightRig parse_rig(std::string_view text, const std::string& source) {
+    return whole_rig(TomlTable::parse(text, source));
+}
+
+LightRig parse_rig_alone(std::string_view text, const std::string& source) {
+    return whole_rig(TomlTable::parse_alone(text, source));
 }
 
 LightRig read_rig(const std::filesystem::path& path) {

@@ -15,6 +15,9 @@ class TomlTable;
 LightRig read_rig(const std::filesystem::path& path);
 /// Parses the text of a rig file; `source` is the file name for messages.
 LightRig parse_rig(std::string_view text, const std::string& source);
+/// Parses the text of a rig file from elsewhere. Throws Error as parse_rig, and for a key that
+/// names a file, whether there is such a file or not.
+LightRig parse_rig_alone(std::string_view text, const std::string& source);
 /// The rig whose keys stand among others in `table`: name, ambient, [[c_plane]], [[spotlight]],
 /// [[luminaire]], [sun], [[window]], [fog].
 LightRig rig_from(const TomlTable& table);

@@ -16,6 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double narrowest_fov = 1e-3, widest_fov = 175; ///< degrees
+constexpr double largest_size = 65536;                   ///< pixels, either way
 
 void require_direction(const TomlTable& table, const Camera& camera) {
     const Vec3 view = camera.target - camera.eye;
@@ -23,6 +24,17 @@ void require_direction(const TomlTable& table, const Camera& camera) {
     if (!(camera.up.length() > 0)) throw table.error("up", "must not be a zero vector");
     if (!(view.cross(camera.up).length() > 1e-6 * view.length() * camera.up.length()))
         throw table.error("up", "must not be along the view direction");
+}
+
+struct PictureSize {
+    int width, height;
+};
+std::optional<PictureSize> size_from(const TomlTable& table) {
+    const auto size = table.numbers("size", 2, {.low = 1, .high = largest_size});
+    if (!size) return {};
+    for (const double edge : *size)
+        if (edge != static_cast<int>(edge)) throw table.error("size", "must be whole numbers");
+    return PictureSize{static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
 }
 
 } // namespace
@@ -48,6 +60,14 @@ Camera camera_of(const TomlTable& table) {
     return camera;
 }
 
+Camera camera_from(const TomlTable& table) {
+    Camera camera = camera_of(table);
+    if (const auto size = size_from(table))
+        camera.width = size->width, camera.height = size->height;
+    table.finish();
+    return camera;
+}
+
 bool is_view_file(std::string_view name) {
     return name.ends_with(".toml");
 }
@@ -62,7 +82,6 @@ Camera read_view(const std::filesystem::path& path) {
 
 namespace {
 
-constexpr double largest_size = 65536; ///< pixels, either way
 constexpr int most_reflections = 64;
 /// Scales of a model: from nanometres that are taken for millimetres to kilometres.
 constexpr TomlLimits scales{.low = 1e-6, .high = 1e6};
@@ -113,25 +132,6 @@ ModelSpec model_from(const TomlTable& table, const std::vector<Material>& materi
     table.not_yet({"unit", "axes"});
     table.finish();
     return model;
-}
-
-struct PictureSize {
-    int width, height;
-};
-std::optional<PictureSize> size_from(const TomlTable& table) {
-    const auto size = table.numbers("size", 2, {.low = 1, .high = largest_size});
-    if (!size) return {};
-    for (const double edge : *size)
-        if (edge != static_cast<int>(edge)) throw table.error("size", "must be whole numbers");
-    return PictureSize{static_cast<int>((*size)[0]), static_cast<int>((*size)[1])};
-}
-
-Camera camera_from(const TomlTable& table) {
-    Camera camera = camera_of(table);
-    if (const auto size = size_from(table))
-        camera.width = size->width, camera.height = size->height;
-    table.finish();
-    return camera;
 }
 
 std::optional<LightRig> rig_of(const TomlTable& root) {

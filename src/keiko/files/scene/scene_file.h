@@ -14,6 +14,9 @@ namespace keiko {
 /// docs/scene-format.md; its picture's size is left as it is. Throws Error.
 Camera camera_of(const TomlTable& table);
 
+/// The camera of a whole [camera] table, with `size`, if it has one. Throws Error.
+Camera camera_from(const TomlTable& table);
+
 /// Whether a view's name is that of a file: it ends in .toml.
 bool is_view_file(std::string_view name);
 

@@ -50,6 +50,7 @@ struct TomlEntry {
 struct TomlDocument {
     std::filesystem::path source; ///< path for messages, as given
     TomlValue root;               ///< always a table
+    bool may_name_files = true;   ///< false: of a text from elsewhere, whose names are not followed
 };
 
 /// Document of a text; `source` is the path for messages. Throws Error for a text that is no TOML,

@@ -41,6 +41,13 @@ TomlTable TomlTable::parse(std::string_view text, const std::string& source) {
     return {document, document->root, ""};
 }
 
+TomlTable TomlTable::parse_alone(std::string_view text, const std::string& source) {
+    TomlDocument parsed = parse_toml(text, source);
+    parsed.may_name_files = false;
+    const auto document = std::make_shared<const TomlDocument>(std::move(parsed));
+    return {document, document->root, ""};
+}
+
 TomlTable TomlTable::read(const std::filesystem::path& path) {
     return parse(read_file(path), path.string());
 }
@@ -140,6 +147,10 @@ const std::filesystem::path& TomlTable::source() const {
     return document_->source;
 }
 
+bool TomlTable::may_name_files() const {
+    return document_->may_name_files;
+}
+
 std::optional<std::filesystem::path> path_from(const TomlTable& table, std::string_view key) {
     const auto name = table.text(key);
     if (!name) return {};
@@ -148,6 +159,7 @@ std::optional<std::filesystem::path> path_from(const TomlTable& table, std::stri
 
 std::filesystem::path readable_path(const TomlTable& table, std::string_view key,
                                     const std::string& name) {
+    if (!table.may_name_files()) throw table.error(key, "may not name a file here");
     auto path = (table.source().parent_path() / name).lexically_normal();
     try {
         require_readable_file(path);

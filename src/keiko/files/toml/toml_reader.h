@@ -53,6 +53,8 @@ class TomlTable {
 public:
     /// The root table of a text; `source` is the file name for messages.
     static TomlTable parse(std::string_view text, const std::string& source);
+    /// The root table of a text from elsewhere: keys that name files are errors in it.
+    static TomlTable parse_alone(std::string_view text, const std::string& source);
     /// The root table of a file.
     static TomlTable read(const std::filesystem::path& path);
 
@@ -119,6 +121,8 @@ public:
     std::uint32_t line() const;
     /// The file this table was read from.
     const std::filesystem::path& source() const;
+    /// True unless the text comes from elsewhere.
+    bool may_name_files() const;
 
 private:
     TomlTable(std::shared_ptr<const TomlDocument> document, const TomlValue& value,

@@ -10,13 +10,14 @@ import os as _os
 
 import numpy as _np
 
-from ._keiko import (Error, Film, Placement, Scene, accept_baselines, accept_findings, check_json, compare_json,
-                     hit_dtype, illuminance_rows, info_json, lines_json, open_scene, place, regress_json,
-                     render_film, report_files, version, write_report)
+from ._keiko import (DeepBuffer, Error, Film, Placement, Scene, accept_baselines, accept_findings, check_json,
+                     compare_json, deep_buffer, hit_dtype, illuminance_rows, info_json, lines_json, open_scene, place,
+                     regress_json, render_film, report_files, version, write_report)
 
 __version__ = version()
-__all__ = ["Check", "Comparison", "Document", "Error", "Facts", "Film", "Lines", "Placement", "Regression",
-           "Report", "Scene", "accept", "accept_baselines", "check", "compare", "hit_dtype", "illuminance", "info",
+__all__ = ["Check", "Comparison", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Placement",
+           "Regression", "Report", "Scene", "accept", "accept_baselines", "check", "compare", "deep_view", "hit_dtype",
+           "illuminance", "info",
            "inspect", "lines", "open_scene", "place", "regress", "render", "version"]
 
 
@@ -252,6 +253,17 @@ def illuminance(scene, points, normals, *, progress=None, threads: int = 0):
     names = header.split(",")
     return _np.array([tuple(map(float, row.split(","))) for row in values],
                      dtype=[(name, float) for name in names])
+
+
+def deep_view(scene, view: str = "", *, width: int | None = None, height: int | None = None, reflections: int = 3,
+              progress=None, threads: int = 0) -> DeepBuffer:
+    """The surfaces on the paths of a picture's rays, from which any lamps light it without tracing.
+
+    `samples` is a structured array of height x width: t, normal_x, normal_y (on the octahedron), shape_xx,
+    shape_xy, shape_yy (1/mm), way and face, as keiko-deep/1 has them. `bounces` are the surfaces that mirrors
+    show, each with its pixel. View and size are those of render().
+    """
+    return deep_buffer(_opened(scene, progress, threads), view, width, height, reflections, progress, threads)
 
 
 def render(scene, view: str = "", *, rig=None, width: int | None = None, height: int | None = None, aovs=(),

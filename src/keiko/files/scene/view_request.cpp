@@ -1,0 +1,41 @@
+#include "keiko/files/scene/view_request.h"
+
+#include "keiko/files/scene/rig_tables.h"
+#include "keiko/files/scene/scene_file.h"
+
+#include <algorithm>
+
+namespace keiko {
+
+ViewRequest parse_view_request(std::string_view text) {
+    constexpr int most_reflections = 8;
+    ViewRequest request;
+    const TomlTable root = TomlTable::parse_alone(text, "request");
+    if (root.has("format")) root.require_format("keiko-view-request/1");
+    if (const auto camera = root.table("camera")) request.camera = camera_from(*camera);
+    // `c_plane = []` requests darkness, no word of planes the rig's own.
+    if (root.has("c_plane")) request.planes.emplace();
+    for (const TomlTable& plane : root.tables("c_plane"))
+        request.planes->push_back(c_plane_from(plane));
+    request.interlaced = root.flag("interlaced").value_or(request.interlaced);
+    request.reflections =
+        root.integer("reflections", 1, most_reflections).value_or(request.reflections);
+    root.finish();
+    return request;
+}
+
+LightRig with_planes(const LightRig& rig, const std::vector<CPlane>& planes) {
+    LightRig changed = rig;
+    changed.sources.clear();
+    auto next = planes.begin();
+    for (const LightSource& source : rig.sources) {
+        if (!std::holds_alternative<CPlane>(source))
+            changed.sources.push_back(source);
+        else if (next != planes.end())
+            changed.sources.emplace_back(*next++);
+    }
+    changed.sources.insert(changed.sources.end(), next, planes.end());
+    return changed;
+}
+
+} // namespace keiko
