@@ -30,10 +30,11 @@ ROOMS = {
     "stream": {"workflow"},
     "regress": {"workflow"},
     "api": {"stream", "regress"},
-    "cli": {"api", "base"},
+    "viewer": {"api", "base"},
+    "cli": {"api", "base", "viewer"},
     "python": {"api", "base"},
 }
-FRONT_ENDS = {"cli", "python"}
+FRONT_ENDS = {"cli", "python", "viewer"}
 CHAMBERS = {
     "geometry": {
         "bernstein": set(),
@@ -127,6 +128,7 @@ EXTERNAL = {
     "spdlog/": {"base"},
     "fmt/": {"base"},
     "CLI/": {"cli"},
+    "httplib.h": {"viewer"},
 }
 
 

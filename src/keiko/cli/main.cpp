@@ -28,6 +28,7 @@ int main(int argc, char** argv) try {
     cli::add_regress(app, session);
     cli::add_render(app, session);
     cli::add_trace(app, session);
+    cli::add_view(app, session);
     return session.run(app, argc, argv);
 } catch (const std::exception& error) {
     std::fprintf(stderr, "keiko: %s\n", keiko::one_line(error.what()).c_str());

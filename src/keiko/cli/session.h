@@ -120,6 +120,8 @@ void add_regress(CLI::App& app, Session& session);
 void add_render(CLI::App& app, Session& session);
 /// Adds `keiko trace`.
 void add_trace(CLI::App& app, Session& session);
+/// Adds `keiko view`.
+void add_view(CLI::App& app, Session& session);
 
 /// Adds --version, and --verbose for the facts on the build, to the app.
 void add_version(CLI::App& app);

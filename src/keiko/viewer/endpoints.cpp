@@ -1,0 +1,208 @@
+#include "keiko/viewer/endpoints.h"
+
+#include "keiko/api/lines.h"
+#include "keiko/api/model.h"
+#include "keiko/api/render.h"
+#include "keiko/base/error.h"
+#include "keiko/base/log.h"
+#include "keiko/viewer/client_watch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <new>
+#include <thread>
+
+namespace keiko::viewer {
+namespace {
+
+/// Most pixels of an answer: 256 MB of a deep buffer, and a still of 4096 x 2048.
+constexpr std::int64_t most_pixels = 1 << 23;
+
+/// Name of the page that asks, so that its newer requests end its older ones alone.
+std::string client_of(const HttpRequest& request) {
+    constexpr std::size_t longest = 64;
+    const std::string name = request.header("x-keiko-client");
+    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+               c == '-';
+    });
+    if (name.size() > longest || !plain)
+        throw Error("", "X-Keiko-Client", "must be up to 64 letters, digits and hyphens");
+    return name;
+}
+
+/// The request of a body, whose picture is not too large.
+ViewRequest request_of(const HttpRequest& request) {
+    ViewRequest wanted = parse_view_request(request.body);
+    if (!wanted.camera) return wanted;
+    const auto pixels = static_cast<std::int64_t>(wanted.camera->width) * wanted.camera->height;
+    if (pixels > most_pixels)
+        throw Error("request", "camera",
+                    "has a size of more than " + std::to_string(most_pixels) + " pixels");
+    return wanted;
+}
+
+HttpReply text_reply(std::string text) {
+    return {.body = std::move(text)};
+}
+
+HttpReply toml_reply(std::string text) {
+    return {.type = "application/toml", .body = std::move(text)};
+}
+
+std::string event_of(const WorkProgress& progress) {
+    std::string fraction = std::to_string(std::clamp(progress.fraction, 0.0, 1.0));
+    return "data: {\"work\":\"" + progress.kind + "\",\"stage\":\"" + progress.stage +
+           "\",\"fraction\":" + fraction + "}\n\n";
+}
+
+/// Sends the progress of a client's work until that or the server ends.
+bool send_events(LatestWork& work, const std::string& client, Outlet& outlet,
+                 const std::stop_token& stop) {
+    constexpr std::chrono::milliseconds between{50};
+    std::uint64_t last = 0;
+    while (!stop.stop_requested() && outlet.is_open()) {
+        const auto progress = work.next_progress(client, last, stop);
+        // A comment shows the client that the server is there.
+        if (!outlet.write(progress ? event_of(*progress) : ": \n\n")) return false;
+        if (!progress) continue;
+        last = progress->number;
+        std::this_thread::sleep_for(between);
+    }
+    return true;
+}
+
+} // namespace
+
+HttpReply Endpoints::answer(const HttpRequest& request) const {
+    try {
+        return routed(request, client_of(request));
+    } catch (const Cancelled&) {
+        return error_reply(409, "a newer request, or the end of the server, ended this one");
+    } catch (const Error& error) {
+        return error_reply(400, error.what());
+    } catch (const std::bad_alloc&) {
+        return error_reply(500, "out of memory");
+    }
+}
+
+HttpReply Endpoints::routed(const HttpRequest& request, const std::string& client) const {
+    const std::string asked = request.method + " " + request.path;
+    if (asked == "GET /scene") return scene_facts();
+    if (asked == "GET /rig") return rig_file();
+    if (asked == "PUT /rig") return new_rig(request);
+    if (asked == "POST /rig") return changed_rig_file(request);
+    if (asked == "POST /deep") return deep(request, client);
+    if (asked == "POST /still") return still(request, client);
+    if (asked == "GET /events") return events(client);
+    LatestWork::Turn turn(work_, client,
+                          request.path.substr(std::min<std::size_t>(1, request.path.size())));
+    const Job job = turn.job(threads_);
+    const StopScope scope(job);
+    if (asked == "GET /facts") return text_reply(scene_.facts(job));
+    if (asked == "GET /seams") return text_reply(scene_.inspection(job));
+    if (asked == "POST /lines") return lines(request, job);
+    if (asked == "POST /place") return place(request, job);
+    return error_reply(404, "there is nothing of that name");
+}
+
+HttpReply Endpoints::scene_facts() const {
+    return text_reply(view_json(view_facts(scene_.scene(), scene_.view()), scene_.rig()));
+}
+
+HttpReply Endpoints::rig_file() const {
+    return toml_reply(rig_text(scene_.rig()));
+}
+
+HttpReply Endpoints::new_rig(const HttpRequest& request) const {
+    scene_.set_rig(parse_rig_alone(request.body, "rig"));
+    return text_reply(rig_json(scene_.rig()));
+}
+
+HttpReply Endpoints::changed_rig_file(const HttpRequest& request) const {
+    return toml_reply(rig_text(scene_.rig_of(request_of(request))));
+}
+
+HttpReply Endpoints::lines(const HttpRequest& request, const Job& job) const {
+    const ViewRequest wanted = request_of(request);
+    const LineList found =
+        lines_in_view(scene_.scene(), scene_.rig_of(wanted), scene_.view_of(wanted), {}, job);
+    return text_reply(lines_json(found, scene_.scene().model));
+}
+
+HttpReply Endpoints::place(const HttpRequest& request, const Job& job) const {
+    const Scene& scene = scene_.scene();
+    PlaceOptions options;
+    options.hits =
+        register_hits(scene.tracer, scene.model, {scene_.view_of(request_of(request))}, job);
+    return text_reply(placed_rig_json(place_scene(scene, options, job).placement));
+}
+
+HttpReply Endpoints::streamed(const std::string& type, const std::string& client,
+                              const std::string& kind, Streamed work) const {
+    HttpReply reply{.type = type};
+    reply.stream = [this, client, kind, work = std::move(work)](Outlet& outlet) {
+        LatestWork::Turn turn(work_, client, kind);
+        try {
+            return work(outlet, turn);
+        } catch (const Cancelled&) {
+        } catch (const std::exception& error) {
+            log_error(kind + ": " + error.what());
+        }
+        return false;
+    };
+    return reply;
+}
+
+bool Endpoints::send_deep(const ViewRequest& request, Outlet& outlet,
+                          LatestWork::Turn& turn) const {
+    const Camera camera = scene_.view_of(request).camera;
+    std::vector<RowSet> passes{RowSet{}};
+    const auto interlaced = interlaced_rows();
+    if (request.interlaced) passes.assign(interlaced.begin(), interlaced.end());
+    for (const RowSet& rows : passes) {
+        std::string bytes;
+        {
+            const ClientWatch watch(outlet, turn);
+            bytes = deep_bytes(deep_view(scene_.scene(), camera,
+                                         {.rows = rows, .reflections = request.reflections},
+                                         turn.job(threads_)));
+        }
+        if (!outlet.write(bytes)) return false;
+    }
+    return true;
+}
+
+HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client) const {
+    const ViewRequest wanted = request_of(request);
+    return streamed("application/octet-stream", client, "deep",
+                    [this, wanted](Outlet& outlet, LatestWork::Turn& turn) {
+                        return send_deep(wanted, outlet, turn);
+                    });
+}
+
+HttpReply Endpoints::still(const HttpRequest& request, const std::string& client) const {
+    const ViewRequest wanted = request_of(request);
+    return streamed(
+        "image/png", client, "still",
+        [this, wanted, rig = scene_.rig_of(wanted)](Outlet& outlet, LatestWork::Turn& turn) {
+            std::string png;
+            {
+                const ClientWatch watch(outlet, turn);
+                const Job job = turn.job(threads_);
+                const StopScope scope(job);
+                png = encode_png(tone_mapped(
+                    render_view(scene_.scene(), rig, scene_.view_of(wanted).camera, {}, job)));
+            }
+            return outlet.write(png);
+        });
+}
+
+HttpReply Endpoints::events(const std::string& client) const {
+    return streamed("text/event-stream", client, "events",
+                    [this, client](Outlet& outlet, LatestWork::Turn& turn) {
+                        return send_events(work_, client, outlet, turn.stop());
+                    });
+}
+
+} // namespace keiko::viewer

@@ -1,0 +1,55 @@
+#include "keiko/viewer/viewed_scene.h"
+
+#include "keiko/api/model.h"
+
+#include <chrono>
+#include <utility>
+
+namespace keiko::viewer {
+
+ViewedScene::ViewedScene(Scene scene, NamedView view, LightRig rig, CheckOptions check)
+    : scene_(std::move(scene)),
+      view_(std::move(view)),
+      check_(std::move(check)),
+      rig_(std::move(rig)) {}
+
+LightRig ViewedScene::rig() const {
+    const std::scoped_lock lock(rig_access_);
+    return rig_;
+}
+
+void ViewedScene::set_rig(LightRig rig) {
+    const std::scoped_lock lock(rig_access_);
+    rig_ = std::move(rig);
+}
+
+NamedView ViewedScene::view_of(const ViewRequest& request) const {
+    if (!request.camera) return view_;
+    return {"page", *request.camera, 0};
+}
+
+LightRig ViewedScene::rig_of(const ViewRequest& request) const {
+    return request.planes ? with_planes(rig(), *request.planes) : rig();
+}
+
+std::string ViewedScene::KeptText::get(const Job& job, const std::function<std::string()>& make) {
+    constexpr std::chrono::milliseconds look{50};
+    std::unique_lock lock(making, std::defer_lock);
+    while (!lock.try_lock_for(look)) job.check();
+    if (!text) text = make();
+    return *text;
+}
+
+std::string ViewedScene::facts(const Job& job) {
+    return facts_.get(job, [&] {
+        return facts_json(body_info(scene_.model, {.load = {}, .join = check_.join}, job));
+    });
+}
+
+std::string ViewedScene::inspection(const Job& job) {
+    return inspection_.get(job, [&] {
+        return inspection_json(check_models(scene_.inputs, check_, job).inspection, version());
+    });
+}
+
+} // namespace keiko::viewer

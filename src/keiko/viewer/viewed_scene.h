@@ -1,0 +1,58 @@
+#pragma once
+
+#include "keiko/api/check.h"
+#include "keiko/api/place.h"
+#include "keiko/api/view.h"
+
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+
+namespace keiko::viewer {
+
+/// The state of the server: a scene with the view and the rig that it was opened with. The rig may
+/// be replaced, nothing else. May be used by several threads.
+class ViewedScene {
+public:
+    /// `check`: how the geometry is judged once somebody asks.
+    ViewedScene(Scene scene, NamedView view, LightRig rig, CheckOptions check);
+
+    /// The scene.
+    const Scene& scene() const { return scene_; }
+    /// The view that it was opened with.
+    const NamedView& view() const { return view_; }
+    /// The rig that is shown.
+    LightRig rig() const;
+    /// Shows other lamps.
+    void set_rig(LightRig rig);
+
+    /// The camera of a request, or that of the view.
+    NamedView view_of(const ViewRequest& request) const;
+    /// The rig with the rows of lamps that a request has.
+    LightRig rig_of(const ViewRequest& request) const;
+    /// Summary of the body, "keiko-model-facts/1". It is made once; who asks meanwhile waits.
+    /// Throws Cancelled.
+    std::string facts(const Job& job);
+    /// The judged geometry, "keiko-inspection/1", made as the facts. Throws Error, and Cancelled.
+    std::string inspection(const Job& job);
+
+private:
+    /// A text that takes long.
+    struct KeptText {
+        std::timed_mutex making;
+        std::optional<std::string> text{};
+
+        /// The text, by `make` unless it is there.
+        std::string get(const Job& job, const std::function<std::string()>& make);
+    };
+
+    Scene scene_;
+    NamedView view_;
+    CheckOptions check_;
+    mutable std::mutex rig_access_;
+    LightRig rig_;
+    KeptText facts_, inspection_;
+};
+
+} // namespace keiko::viewer

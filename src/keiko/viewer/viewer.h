@@ -1,0 +1,24 @@
+#pragma once
+
+#include "keiko/api/check.h"
+#include "keiko/api/view.h"
+#include "keiko/base/job.h"
+
+#include <functional>
+#include <string>
+
+namespace keiko::viewer {
+
+/// Options of show.
+struct ViewerOptions {
+    int port = 0;         ///< on 127.0.0.1; 0: one that is free
+    CheckOptions check{}; ///< how the geometry is judged once a page asks
+};
+
+/// Shows a scene to pages on this machine until the job is to stop. `ready` gets the address to
+/// open, with the token in its fragment, as soon as requests are answered. Throws FieldError for a
+/// port that is taken, and Cancelled at the end.
+void show(Scene scene, const NamedView& view, LightRig rig, const ViewerOptions& options,
+          const std::function<void(const std::string& address)>& ready, const Job& job);
+
+} // namespace keiko::viewer

@@ -1,0 +1,1120 @@
+// source/vector.ts
+var sum = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+var difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+var scaled = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
+var dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+var length = (a) => Math.hypot(...a);
+var unit = (a) => scaled(a, 1 / length(a));
+var cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+function turned(a, axis, angle) {
+  const along = scaled(axis, dot(axis, a) * (1 - Math.cos(angle)));
+  return sum(sum(scaled(a, Math.cos(angle)), scaled(cross(axis, a), Math.sin(angle))), along);
+}
+
+// source/camera.ts
+function axesOf(camera) {
+  const forward = unit(difference(camera.target, camera.eye));
+  const right = unit(cross(forward, camera.up));
+  return { right, up: cross(right, forward), forward };
+}
+function pixelSize(camera) {
+  const height = camera.projection === "orthographic" ? camera.orthographic_height : 2 * Math.tan(camera.vertical_fov * Math.PI / 360);
+  return height / camera.height;
+}
+function rayOf(camera, x, y) {
+  const { right, up, forward } = axesOf(camera);
+  const size = pixelSize(camera);
+  const aside = sum(scaled(right, (x - camera.width / 2) * size), scaled(up, (camera.height / 2 - y) * size));
+  return camera.projection === "orthographic" ? { origin: sum(camera.eye, aside), direction: forward } : { origin: camera.eye, direction: unit(sum(forward, aside)) };
+}
+function orbited(camera, about, right, up) {
+  const vertical = unit(camera.up), axes = axesOf(camera);
+  const steepest = 0.999;
+  const level = dot(turned(axes.forward, axes.right, up), vertical);
+  const raised = Math.abs(level) < steepest ? up : 0;
+  const turn = (v) => turned(turned(v, axes.right, raised), vertical, right);
+  return {
+    ...camera,
+    eye: sum(about, turn(difference(camera.eye, about))),
+    target: sum(about, turn(difference(camera.target, about)))
+  };
+}
+function panned(camera, x, y) {
+  const { right, up } = axesOf(camera);
+  const far = camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye));
+  const step = sum(scaled(right, -x * pixelSize(camera) * far), scaled(up, y * pixelSize(camera) * far));
+  return { ...camera, eye: sum(camera.eye, step), target: sum(camera.target, step) };
+}
+function dollied(camera, factor) {
+  const away = scaled(difference(camera.eye, camera.target), factor);
+  return {
+    ...camera,
+    eye: sum(camera.target, away),
+    orthographic_height: camera.orthographic_height * factor
+  };
+}
+function lookingAt(camera, place, distance) {
+  const away = scaled(unit(difference(camera.eye, camera.target)), distance);
+  return { ...camera, target: place, eye: sum(place, away) };
+}
+function sized(camera, width, height) {
+  return { ...camera, width, height };
+}
+
+// source/deep_buffer.ts
+var header = 32;
+var sampleBytes = 32;
+var bounceBytes = 36;
+var magic = "KEIKOD1\n";
+function sizeOf(view) {
+  return header + view.getUint32(24, true) * sampleBytes + view.getUint32(28, true) * bounceBytes;
+}
+function passOf(bytes) {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const samples = view.getUint32(24, true);
+  const end = header + samples * sampleBytes;
+  return {
+    width: view.getUint32(8, true),
+    height: view.getUint32(12, true),
+    first: view.getUint32(16, true),
+    step: view.getUint32(20, true),
+    samples: new Float32Array(bytes.buffer, bytes.byteOffset + header, samples * 8),
+    bounces: new DataView(bytes.buffer, bytes.byteOffset + end, bytes.byteLength - end)
+  };
+}
+var Reader = class {
+  constructor(stream) {
+    this.rest = new Uint8Array(0);
+    this.reader = stream.getReader();
+  }
+  /** Writes into all of `to`; false at the end of the stream. */
+  async fill(to) {
+    let done = 0;
+    while (done < to.length) {
+      if (this.rest.length === 0) {
+        const { value } = await this.reader.read();
+        if (!value) {
+          if (done > 0) throw new Error("the deep buffer was cut off");
+          return false;
+        }
+        this.rest = value;
+      }
+      const count = Math.min(this.rest.length, to.length - done);
+      to.set(this.rest.subarray(0, count), done);
+      this.rest = this.rest.subarray(count);
+      done += count;
+    }
+    return true;
+  }
+};
+async function readPasses(reply, use) {
+  const reader = new Reader(reply.body);
+  for (; ; ) {
+    const head = new Uint8Array(header);
+    if (!await reader.fill(head)) return;
+    if (new TextDecoder().decode(head.subarray(0, 8)) !== magic) throw new Error("this is no deep buffer");
+    const bytes = new Uint8Array(sizeOf(new DataView(head.buffer)));
+    bytes.set(head);
+    await reader.fill(bytes.subarray(header));
+    use(passOf(bytes));
+  }
+}
+
+// source/panel.ts
+function element(tag, content = "", properties = {}) {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...typeof content === "string" ? [content] : content);
+  return made;
+}
+var byId = (id) => document.getElementById(id);
+function button(name, act) {
+  return element("button", name, { onclick: act, type: "button" });
+}
+function download(name, bytes) {
+  const href = URL.createObjectURL(bytes);
+  element("a", "", { href, download: name }).click();
+  URL.revokeObjectURL(href);
+}
+function choice(into, names, pressed, choose) {
+  into.replaceChildren(...names.map((name) => {
+    const made = button(name, () => {
+      choice(into, names, name, choose);
+      choose(name);
+    });
+    made.setAttribute("aria-pressed", String(name === pressed));
+    return made;
+  }));
+}
+function showPairs(list, pairs) {
+  list.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
+}
+function showFacts(facts2) {
+  const { lower, upper } = facts2.bounds;
+  const size = upper.map((x, i) => (x - lower[i]).toFixed(0)).join(" × ");
+  showPairs(byId("facts"), [
+    ["file", facts2.inputs.join(", ")],
+    ["view", facts2.view],
+    ["faces", String(facts2.faces.length)],
+    ["size", `${size} mm`],
+    ["materials", facts2.materials.map((m) => m.name).join(", ")],
+    ["Keiko", facts2.tool.version]
+  ]);
+}
+function showRows(planes, selected, select, change) {
+  const number = (row, key, least) => {
+    const input = element("input", "", {
+      type: "number",
+      min: least,
+      value: String(Number(planes[row][key].toFixed(2))),
+      ariaLabel: key
+    });
+    input.onchange = () => {
+      const value = Number(input.value);
+      if (value >= least) change(row, { ...planes[row], [key]: key === "lamps" ? Math.round(value) : value });
+    };
+    return input;
+  };
+  const lines = planes.map((_, row) => element("tr", [
+    element("td", [element("input", "", { type: "radio", name: "row", checked: row === selected, onchange: () => select(row) })]),
+    element("td", [number(row, "lamps", 1)]),
+    element("td", [number(row, "pitch", 1)]),
+    element("td", [number(row, "diameter", 1)])
+  ]));
+  const head = element("tr", ["row", "lamps", "pitch mm", "Ø mm"].map((name) => element("th", name)));
+  byId("rows").replaceChildren(element("table", [head, ...lines]));
+}
+function showSeams(seams, fly) {
+  const order = ["fail", "undecided", "pass"];
+  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
+  const lines = sorted.map((seam) => element("tr", [
+    element("td", seam.verdict, { className: seam.verdict }),
+    element("td", seam.kind),
+    element("td", [button(seam.faces, () => fly(seam))])
+  ]));
+  byId("seams").replaceChildren(seams.length > 0 ? element("table", lines) : element("p", "no seams"));
+}
+
+// source/shader.ts
+var mostPlanes = 16;
+var bouncesARow = 1024;
+var facesARow = 1024;
+var vertexShader = `#version 300 es
+void main() {
+  vec2 corner = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1);
+  gl_Position = vec4(corner, 0, 1);
+}`;
+var declarations = `#version 300 es
+precision highp float;
+precision highp int;
+precision highp sampler2D;
+precision highp usampler2D;
+struct Plane {
+  vec3 origin, u, v, normal, luminance;
+  float length, first, pitch, diameter;
+  int lamps;
+  bool round;
+};
+uniform Plane planes[${mostPlanes}];
+uniform int plane_count;
+uniform vec3 eye, right, up, forward;
+uniform bool is_parallel;
+uniform float pixel_size;
+uniform ivec2 size;
+uniform int row_step, stride;
+uniform bool is_hurried; // pixels whose image is bent are not divided
+uniform int look; // 0 lamps, 1 zebra, 2 mean curvature
+uniform float white, full_curvature, min_weight;
+uniform int reflections;
+uniform vec3 background, ambient;
+uniform sampler2D samples, bounces, materials;
+uniform usampler2D first_bounce, material_of_face;
+uniform int ground_material;
+out vec4 color;
+
+/// A ray and its change by a pixel to the right and down.
+struct Ray { vec3 origin, direction, origin_dx, origin_dy, direction_dx, direction_dy; };
+/// The first surface on a ray.
+struct Surface { float t; vec3 normal, x, y; vec3 shape; float way, face; };
+`;
+var surfaces = `
+Surface surface_of(vec4 a, vec4 b) {
+  Surface s;
+  s.t = a.x, s.shape = vec3(a.w, b.xy), s.way = b.z, s.face = b.w;
+  vec2 p = a.yz, q = abs(p);
+  bool is_lower = q.x + q.y > 1.0;
+  vec2 place = is_lower ? (1.0 - q.yx) * vec2(p.x < 0.0 ? -1 : 1, p.y < 0.0 ? -1 : 1) : p;
+  vec3 n = normalize(vec3(place, 1.0 - q.x - q.y));
+  float side = is_lower ? -1.0 : 1.0, c = -1.0 / (side + n.z), d = n.x * n.y * c;
+  s.normal = n;
+  s.x = vec3(1.0 + side * n.x * n.x * c, side * d, -side * n.x);
+  s.y = vec3(d, side + n.y * n.y * c, -n.y);
+  return s;
+}
+
+int material_number(float face) {
+  int index = int(face) - 1;
+  return face < 0.0 ? ground_material
+    : int(texelFetch(material_of_face, ivec2(index % ${facesARow}, index / ${facesARow}), 0).r);
+}
+
+Ray camera_ray(vec2 pixel) {
+  vec2 at = (pixel - 0.5 * vec2(size)) * pixel_size;
+  vec3 aside = right * at.x - up * at.y, dx = right * pixel_size, dy = -up * pixel_size;
+  if (is_parallel) return Ray(eye + aside, forward, dx, dy, vec3(0), vec3(0));
+  vec3 through = forward + aside;
+  float per_length = inversesqrt(dot(through, through));
+  vec3 d = through * per_length;
+  return Ray(eye, d, vec3(0), vec3(0), (dx - d * dot(d, dx)) * per_length, (dy - d * dot(d, dy)) * per_length);
+}
+
+vec3 turn_of(Surface s, vec3 step) {
+  float a = dot(step, s.x), b = dot(step, s.y);
+  return -(s.x * (s.shape.x * a + s.shape.y * b) + s.y * (s.shape.y * a + s.shape.z * b));
+}
+
+Ray reflected(Ray ray, Surface s) {
+  Ray r;
+  vec3 d = ray.direction, n = s.normal;
+  float along = dot(d, n);
+  r.origin = ray.origin + d * s.t;
+  r.direction = d - n * (2.0 * along);
+  vec3 moved_x = ray.origin_dx + ray.direction_dx * s.t, moved_y = ray.origin_dy + ray.direction_dy * s.t;
+  r.origin_dx = moved_x - d * (dot(moved_x, n) / along);
+  r.origin_dy = moved_y - d * (dot(moved_y, n) / along);
+  vec3 turn_x = turn_of(s, r.origin_dx), turn_y = turn_of(s, r.origin_dy);
+  r.direction_dx = ray.direction_dx - 2.0 * (turn_x * along + n * (dot(ray.direction_dx, n) + dot(d, turn_x)));
+  r.direction_dy = ray.direction_dy - 2.0 * (turn_y * along + n * (dot(ray.direction_dy, n) + dot(d, turn_y)));
+  return r;
+}
+`;
+var lamps = `
+/// Integral of the pixel's filter, the convolution of two boxes, from its centre to x.
+float below(float x, float wide, float narrow) {
+  float reach = 0.5 * (wide + narrow), away = abs(x), rest = reach - away;
+  float inside = away <= reach - narrow ? away / wide : 0.5 - rest * rest / (2.0 * wide * narrow);
+  return sign(x) * (away >= reach ? 0.5 : inside);
+}
+float share(float begin, float end, float wide, float narrow) {
+  return begin < end ? below(end, wide, narrow) - below(begin, wide, narrow) : 0.0;
+}
+
+/// Share of a pixel's image that falls on the row's strips of a width, by rising v.
+float strips(Plane p, float width, float v, float wide, float narrow) {
+  float last = p.first + float(p.lamps - 1) * p.pitch, half_width = 0.5 * width;
+  if (wide > 4.0 * p.pitch) {
+    float beyond = 0.5 * max(p.pitch, width);
+    return min(width / p.pitch, 1.0) * share(p.first - beyond - v, last + beyond - v, wide, narrow);
+  }
+  if (width >= p.pitch) return share(p.first - half_width - v, last + half_width - v, wide, narrow);
+  float reach = 0.5 * (wide + narrow) + half_width, away = v - p.first, sum = 0.0;
+  float begin = max(ceil((away - reach) / p.pitch), 0.0);
+  float end = min(floor((away + reach) / p.pitch), float(p.lamps - 1));
+  for (float lamp = begin; lamp <= end; lamp += 1.0) {
+    float at = lamp * p.pitch + p.first - v;
+    sum += share(at - half_width, at + half_width, wide, narrow);
+  }
+  return sum;
+}
+
+/// t where a ray meets a plane; 0 or less if it does not.
+float meeting(Plane p, Ray ray) {
+  float down = dot(p.normal, ray.direction);
+  return abs(down) > 1e-9 ? -dot(p.normal, ray.origin - p.origin) / down : -1.0;
+}
+
+float coverage(Plane p, Ray ray, float t, bool is_point) {
+  vec3 at = ray.origin - p.origin + ray.direction * t;
+  vec3 d = vec3(dot(p.u, ray.direction), dot(p.v, ray.direction), dot(p.normal, ray.direction));
+  float u = dot(p.u, at), v = dot(p.v, at);
+  float width = p.diameter * (p.round ? length(d.yz) / abs(d.z) : 1.0);
+  vec3 dx = ray.origin_dx + ray.direction_dx * t, dy = ray.origin_dy + ray.direction_dy * t;
+  vec2 slope = d.xy / d.z;
+  vec2 x = vec2(dot(p.u, dx), dot(p.v, dx)) - slope * dot(p.normal, dx);
+  vec2 y = vec2(dot(p.u, dy), dot(p.v, dy)) - slope * dot(p.normal, dy);
+  float least = 1e-6;
+  if (is_point) x = vec2(least), y = vec2(least);
+  vec2 wide = max(max(abs(x), abs(y)), least), narrow = min(abs(x), abs(y));
+  // At the ends of lamps the filter is taken for a product of both directions.
+  float along = share(-u, p.length - u, wide.x, narrow.x);
+  return along > 0.0 ? along * strips(p, width, v, wide.y, narrow.y) : 0.0;
+}
+
+/// Number of the plane that a ray meets next behind one at t, and its own t; -1 if none up to t_max.
+int next_plane(Ray ray, float t_max, int last, inout float t) {
+  int next = -1;
+  float nearest = t_max;
+  for (int i = 0; i < plane_count; ++i) {
+    float own = meeting(planes[i], ray);
+    bool follows = own > t || (own == t && i > last);
+    if (own > 0.0 && follows && (own < nearest || (next < 0 && own <= nearest))) nearest = own, next = i;
+  }
+  t = nearest;
+  return next;
+}
+
+/// Light of all rows along a ray up to t_max, and their opacity.
+vec4 rows(Ray ray, float t_max, bool is_point) {
+  vec4 seen = vec4(0);
+  float t = 0.0;
+  for (int i = next_plane(ray, t_max, -1, t); i >= 0; i = next_plane(ray, t_max, i, t)) {
+    float part = (1.0 - seen.a) * coverage(planes[i], ray, t, is_point);
+    seen += vec4(planes[i].luminance, 1) * part;
+  }
+  return seen;
+}
+`;
+var bends = `
+/// A pixel's reflected rays, origin and direction, as a cubic in the place in the picture.
+struct Cubic { mat2x3 value, x, y, xx, xy, yy, xxx, xxy, xyy, yyy; };
+
+mat2x3 by_x(Ray r) { return mat2x3(r.origin_dx, r.direction_dx); }
+mat2x3 by_y(Ray r) { return mat2x3(r.origin_dy, r.direction_dy); }
+
+Cubic cubic_of(Ray own, Ray before, Ray after, Ray above, Ray beneath) {
+  Cubic q;
+  q.value = mat2x3(own.origin, own.direction), q.x = by_x(own), q.y = by_y(own);
+  q.xx = 0.5 * (by_x(after) - by_x(before)), q.yy = 0.5 * (by_y(beneath) - by_y(above));
+  q.xy = 0.25 * (by_x(beneath) - by_x(above) + by_y(after) - by_y(before));
+  q.xxx = by_x(after) - 2.0 * q.x + by_x(before), q.xxy = by_y(after) - 2.0 * q.y + by_y(before);
+  q.xyy = by_x(beneath) - 2.0 * q.x + by_x(above), q.yyy = by_y(beneath) - 2.0 * q.y + by_y(above);
+  return q;
+}
+
+/// The ray of a part of the pixel, of a share of its sides.
+Ray part_of(Cubic q, vec2 at, float share_of_side) {
+  float x = at.x, y = at.y, xx = 0.5 * x * x, xy = x * y, yy = 0.5 * y * y;
+  mat2x3 r = q.value + q.x * x + q.y * y + q.xx * xx + q.xy * xy + q.yy * yy + q.xxx * (xx * x / 3.0) +
+    q.xxy * (xx * y) + q.xyy * (x * yy) + q.yyy * (yy * y / 3.0);
+  mat2x3 dx = (q.x + q.xx * x + q.xy * y + q.xxx * xx + q.xxy * xy + q.xyy * yy) * share_of_side;
+  mat2x3 dy = (q.y + q.xy * x + q.yy * y + q.xxy * xx + q.xyy * xy + q.yyy * yy) * share_of_side;
+  return Ray(r[0], r[1], dx[0], dy[0], dx[1], dy[1]);
+}
+
+/// Deviation of the pixel's corners on a plane from a linear image, across the lamps, in pitches.
+float bend_of(Plane p, Cubic q, Ray ray, float t) {
+  vec3 dx = ray.origin_dx + ray.direction_dx * t, dy = ray.origin_dy + ray.direction_dy * t;
+  float slope = dot(p.v, ray.direction) / dot(p.normal, ray.direction), bend = 0.0;
+  float v = dot(p.v, ray.origin - p.origin + ray.direction * t);
+  vec2 by = vec2(dot(p.v, dx) - slope * dot(p.normal, dx), dot(p.v, dy) - slope * dot(p.normal, dy));
+  for (int i = 0; i < 4; ++i) {
+    vec2 corner = vec2(i % 2, i / 2) - 0.5;
+    Ray r = part_of(q, corner, 1.0);
+    float own = meeting(p, r);
+    if (own <= 0.0) return 0.0;
+    bend = max(bend, abs(dot(p.v, r.origin - p.origin + r.direction * own) - v - dot(by, corner)));
+  }
+  return bend / p.pitch;
+}
+
+Surface surface_at(ivec2 pixel) {
+  return surface_of(texelFetch(samples, ivec2(2 * pixel.x, pixel.y), 0),
+                    texelFetch(samples, ivec2(2 * pixel.x + 1, pixel.y), 0));
+}
+
+/// The reflected ray of a neighbour; false if it shows another surface than s, which is at a place.
+bool neighbours(ivec2 pixel, Surface s, vec3 place, out Ray mirrored) {
+  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, size))) return false;
+  Surface o = surface_at(pixel);
+  if (isinf(o.t) || isnan(o.shape.x) || material_number(o.face) != material_number(s.face)) return false;
+  Ray ray = camera_ray(vec2(pixel) + 0.5);
+  mirrored = reflected(ray, o);
+  vec3 step = mirrored.origin - place, turn = cross(s.normal, o.normal);
+  float along = dot(s.normal, o.normal), off = min(abs(dot(step, s.normal)), abs(dot(step, o.normal)));
+  return dot(turn, turn) <= 0.031091 * along * along && off * off <= 0.04 * dot(step, step);
+}
+
+/// Light of all rows in a pixel: of one whose image is bent, the mean over its parts.
+vec4 first_rows(ivec2 pixel, Surface s, Ray ray, bool is_point) {
+  Ray before, after, above, beneath;
+  if (is_hurried || row_step > 1 || is_point || !neighbours(pixel - ivec2(1, 0), s, ray.origin, before) ||
+      !neighbours(pixel + ivec2(1, 0), s, ray.origin, after) ||
+      !neighbours(pixel - ivec2(0, 1), s, ray.origin, above) ||
+      !neighbours(pixel + ivec2(0, 1), s, ray.origin, beneath)) return rows(ray, s.way, is_point);
+  float t = 0.0;
+  int nearest = next_plane(ray, 1e30, -1, t);
+  if (nearest < 0) return vec4(0);
+  Cubic q = cubic_of(ray, before, after, above, beneath);
+  float straight = 0.01, bend = bend_of(planes[nearest], q, ray, t);
+  if (!(bend > straight)) return rows(ray, s.way, false);
+  float parts = min(ceil(sqrt(bend / straight)), 8.0);
+  vec4 sum = vec4(0);
+  for (float y = 0.5; y < parts; y += 1.0)
+    for (float x = 0.5; x < parts; x += 1.0)
+      sum += rows(part_of(q, vec2(x, y) / parts - 0.5, 1.0 / parts), s.way, false);
+  return sum / (parts * parts);
+}
+`;
+var looks = `
+float fresnel_dielectric(float c, float n) {
+  float g2 = n * n - 1.0 + c * c;
+  if (g2 <= 0.0) return 1.0;
+  float g = sqrt(g2), a = (g - c) / (g + c), b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
+  return 0.5 * a * a * (1.0 + b * b);
+}
+float fresnel_conductor(float c, float n, float k) {
+  float c2 = c * c, s2 = 1.0 - c2, m = n * n - k * k - s2, a2b2 = sqrt(m * m + 4.0 * n * n * k * k);
+  float a = sqrt(max(0.5 * (a2b2 + m), 0.0)), across = a2b2 + c2, along = 2.0 * a * c;
+  float s = (across - along) / (across + along);
+  float up_ = c2 * a2b2 + s2 * s2, side = along * s2;
+  return 0.5 * s * (1.0 + (up_ - side) / (up_ + side));
+}
+vec3 mirrored(float face, float c) {
+  int number = material_number(face);
+  vec4 n = texelFetch(materials, ivec2(0, number), 0);
+  vec3 k = texelFetch(materials, ivec2(1, number), 0).rgb;
+  if (n.a == 0.0) return vec3(0);
+  if (n.a == 1.0) return vec3(fresnel_dielectric(c, n.r));
+  return vec3(fresnel_conductor(c, n.r, k.r), fresnel_conductor(c, n.g, k.g), fresnel_conductor(c, n.b, k.b));
+}
+
+/// Luminance of the reflections along a pixel's path, cd/m2.
+vec3 reflections_of(ivec2 pixel, Ray ray, Surface s) {
+  uint chain = texelFetch(first_bounce, pixel, 0).r;
+  int next = int(chain & 0xfffffffu), left = int(chain >> 28);
+  vec3 sum = vec3(0), weight = vec3(1);
+  for (int depth = 1; depth <= reflections; ++depth) {
+    weight *= mirrored(s.face, abs(dot(ray.direction, s.normal)));
+    if (max(weight.r, max(weight.g, weight.b)) < min_weight) break;
+    bool is_point = isnan(s.shape.x);
+    ray = reflected(ray, s);
+    vec4 seen = depth == 1 ? first_rows(pixel, s, ray, is_point) : rows(ray, s.way, is_point);
+    sum += weight * seen.rgb;
+    weight *= 1.0 - seen.a;
+    if (isinf(s.way)) return sum + weight * ambient;
+    if (left == 0) break;
+    ivec2 at = ivec2(2 * (next % ${bouncesARow}), next / ${bouncesARow});
+    s = surface_of(texelFetch(bounces, at, 0), texelFetch(bounces, at + ivec2(1, 0), 0));
+    ++next, --left;
+  }
+  return sum;
+}
+
+float light_up_to(float phase) {
+  float whole = floor(0.5 * phase);
+  return whole + clamp(phase - 2.0 * whole - 1.0, 0.0, 1.0);
+}
+float zebra(Ray ray, Surface s) {
+  Ray r = reflected(ray, s);
+  vec3 d = r.direction;
+  float level = max(length(d.xy), 1e-6), bands = 2.0 * degrees(1.0) / 10.0, phase = bands * atan(level, d.z);
+  // The slope of atan(level, z) with the direction.
+  vec3 slope = vec3(d.xy * (d.z / level), -level) / dot(d, d) * bands;
+  float reach = max(0.5 * (abs(dot(slope, r.direction_dx)) + abs(dot(slope, r.direction_dy))), 1e-5);
+  return 0.06 + 0.88 * (light_up_to(phase + reach) - light_up_to(phase - reach)) / (2.0 * reach);
+}
+
+vec3 signed_color(float s) {
+  vec3 stops[5] = vec3[5](vec3(0.02, 0.12, 0.55), vec3(0.25, 0.55, 0.9), vec3(0.87), vec3(0.95, 0.5, 0.25),
+                          vec3(0.6, 0.02, 0.05));
+  float at = 2.0 * (clamp(s, -1.0, 1.0) + 1.0);
+  int first = min(3, int(at));
+  return mix(stops[first], stops[first + 1], at - float(first));
+}
+
+vec3 srgb(vec3 c) {
+  c = clamp(c, 0.0, 1.0);
+  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+void main() {
+  // With a stride, every so many-th pixel of the picture.
+  ivec2 pixel = ivec2(gl_FragCoord.xy) * stride;
+  pixel.y = size.y - 1 - pixel.y;
+  // Rows that are not there yet are shown by the nearest above.
+  pixel.y = pixel.y / row_step * row_step;
+  Surface s = surface_at(pixel);
+  bool is_missed = isinf(s.t);
+  if (look == 0) {
+    vec3 light = background;
+    if (!is_missed) light = reflections_of(pixel, camera_ray(vec2(pixel) + 0.5), s);
+    color = vec4(white > 0.0 ? srgb(light / white) : light, is_missed ? 0 : 1);
+    if (white > 0.0) color.a = 1.0;
+    return;
+  }
+  color = vec4(vec3(0.07), 1);
+  if (is_missed) return;
+  Ray ray = camera_ray(vec2(pixel) + 0.5);
+  float shade = 0.55 - 0.45 * dot(ray.direction, s.normal);
+  float mean = 0.5 * (s.shape.x + s.shape.z);
+  vec3 own = look == 1 ? vec3(zebra(ray, s)) : isnan(mean) ? vec3(0.07) : signed_color(mean / full_curvature);
+  color = vec4(own * shade, 1);
+}`;
+var fragmentShader = declarations + surfaces + lamps + bends + looks;
+
+// source/picture.ts
+var looks2 = ["lamps", "zebra", "curvature"];
+var Picture = class {
+  constructor(canvas, facts2) {
+    this.canvas = canvas;
+    this.places = /* @__PURE__ */ new Map();
+    this.textures = {};
+    this.samples = new Float32Array(0);
+    this.chains = new Uint32Array(0);
+    this.bounces = new Float32Array(8 * bouncesARow);
+    this.bounceCount = 0;
+    this.rowStep = 1;
+    this.camera = null;
+    const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
+    if (!gl) throw new Error("this browser has no WebGL 2");
+    this.gl = gl;
+    gl.getExtension("EXT_color_buffer_float");
+    this.program = this.compiled();
+    gl.useProgram(this.program);
+    ["samples", "bounces", "materials", "first_bounce", "material_of_face"].forEach((name, unit2) => {
+      this.textures[name] = gl.createTexture();
+      gl.activeTexture(gl.TEXTURE0 + unit2);
+      gl.bindTexture(gl.TEXTURE_2D, this.textures[name]);
+      for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
+      gl.uniform1i(this.place(name), unit2);
+    });
+    this.setMaterials(facts2);
+  }
+  /** Takes the first pass of a camera's picture, or one that refines it. */
+  add(pass, camera, isFirst) {
+    if (isFirst) this.begin(camera);
+    const { gl } = this, numbers = 8 * pass.width;
+    this.bind("samples");
+    for (let row = 0; row * numbers < pass.samples.length; ++row) {
+      const y = pass.first + row * pass.step, part = pass.samples.subarray(row * numbers, (row + 1) * numbers);
+      this.samples.set(part, y * numbers);
+      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, y, 2 * pass.width, 1, gl.RGBA, gl.FLOAT, part);
+    }
+    this.addBounces(pass);
+    this.rowStep = pass.first === 0 ? pass.step : Math.min(this.rowStep, pass.first);
+  }
+  /** Draws the buffer in hand, or every so many-th pixel of it; false without one. */
+  draw(display, stride = 1) {
+    const { gl, camera } = this;
+    if (!camera) return false;
+    gl.viewport(0, 0, Math.ceil(camera.width / stride), Math.ceil(camera.height / stride));
+    gl.uniform1i(this.place("stride"), stride);
+    this.setCamera(camera);
+    this.setDisplay(display);
+    gl.drawArrays(gl.TRIANGLES, 0, 3);
+    return true;
+  }
+  /** Luminance, cd/m2, that 1 % of the body's picture exceeds, by every so many-th pixel: white in a still. */
+  whiteOf(display, stride) {
+    const { gl, camera } = this;
+    if (!camera) return 1;
+    const width = Math.ceil(camera.width / stride), height = Math.ceil(camera.height / stride);
+    const target = gl.createFramebuffer(), texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE8);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    this.draw({ ...display, look: "lamps", white: 0 }, stride);
+    const pixels = new Float32Array(4 * width * height);
+    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.deleteFramebuffer(target);
+    gl.deleteTexture(texture);
+    const seen = [];
+    for (let i = 0; i < pixels.length; i += 4)
+      if (pixels[i + 3] > 0) seen.push(0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2]);
+    return quantile(seen, 0.99) || 1;
+  }
+  /** The round curvature, 1/mm, that 2 % of the body's picture exceed. */
+  usualCurvature() {
+    const sizes = [];
+    for (let i = 0; i < this.samples.length; i += 8) {
+      const mean = (this.samples[i + 3] + this.samples[i + 5]) / 2;
+      if (this.samples[i + 7] > 0 && !Number.isNaN(mean)) sizes.push(Math.abs(mean));
+    }
+    const value = quantile(sizes, 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
+    return power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10);
+  }
+  /** The surface at a pixel, if there is one. */
+  pick(x, y) {
+    if (!this.camera) return null;
+    const at = 8 * (Math.floor(y / this.rowStep) * this.rowStep * this.camera.width + x);
+    const [t, p, q, xx, xy, yy, , face] = this.samples.subarray(at, at + 8);
+    if (!Number.isFinite(t)) return null;
+    const isLower = Math.fround(Math.abs(p) + Math.abs(q)) > 1;
+    const fold = (a, b) => (1 - Math.abs(b)) * (a < 0 ? -1 : 1);
+    const normal = unit([isLower ? fold(p, q) : p, isLower ? fold(q, p) : q, 1 - Math.abs(p) - Math.abs(q)]);
+    const mean = (xx + yy) / 2, spread = Math.hypot((xx - yy) / 2, xy);
+    return { t, normal, radii: [1 / (mean + spread), 1 / (mean - spread)], face };
+  }
+  begin(camera) {
+    const { gl } = this, { width, height } = camera;
+    const isNew = this.camera?.width !== width || this.camera.height !== height;
+    this.camera = camera;
+    this.bounceCount = 0;
+    if (isNew) {
+      this.samples = new Float32Array(8 * width * height);
+      this.chains = new Uint32Array(width * height);
+      this.canvas.width = width, this.canvas.height = height;
+      this.bind("samples");
+      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * width, height, 0, gl.RGBA, gl.FLOAT, null);
+    }
+    this.samples.fill(0);
+    this.chains.fill(0);
+  }
+  addBounces(pass) {
+    const { gl } = this, count = pass.bounces.byteLength / bounceBytes;
+    this.reserve(this.bounceCount + count);
+    for (let i = 0; i < count; ++i) {
+      const at = i * bounceBytes, pixel = pass.bounces.getUint32(at, true), number = this.bounceCount++;
+      const chain = this.chains[pixel];
+      this.chains[pixel] = chain === 0 ? (1 << 28 | number) >>> 0 : chain + (1 << 28);
+      for (let k = 0; k < 8; ++k) this.bounces[8 * number + k] = pass.bounces.getFloat32(at + 4 + 4 * k, true);
+    }
+    this.bind("bounces");
+    gl.texImage2D(
+      gl.TEXTURE_2D,
+      0,
+      gl.RGBA32F,
+      2 * bouncesARow,
+      this.bounces.length / (8 * bouncesARow),
+      0,
+      gl.RGBA,
+      gl.FLOAT,
+      this.bounces
+    );
+    this.bind("first_bounce");
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, pass.width, pass.height, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, this.chains);
+  }
+  reserve(count) {
+    const rows = Math.ceil(count / bouncesARow);
+    if (rows * 8 * bouncesARow <= this.bounces.length) return;
+    const larger = new Float32Array(rows * 8 * bouncesARow);
+    larger.set(this.bounces);
+    this.bounces = larger;
+  }
+  setMaterials(facts2) {
+    const { gl } = this;
+    const kind = (m) => !m.mirror ? 0 : m.metal ? 2 : 1;
+    const table = new Float32Array(facts2.materials.flatMap((m) => [...m.n, kind(m), ...m.k, 0]));
+    this.bind("materials");
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2, facts2.materials.length, 0, gl.RGBA, gl.FLOAT, table);
+    const rows = Math.ceil(Math.max(1, facts2.faces.length) / facesARow);
+    const numbers = new Uint32Array(rows * facesARow);
+    facts2.faces.forEach((face, i) => {
+      numbers[i] = face.material;
+    });
+    this.bind("material_of_face");
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, facesARow, rows, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, numbers);
+    gl.uniform1i(this.place("ground_material"), facts2.ground?.material ?? 0);
+    gl.uniform1i(this.place("reflections"), facts2.reflections);
+    gl.uniform1f(this.place("min_weight"), facts2.min_weight);
+    gl.uniform3fv(this.place("background"), facts2.background);
+    gl.uniform3fv(this.place("ambient"), scaled(facts2.rig.ambient, 1 / Math.PI));
+  }
+  setCamera(camera) {
+    const { gl } = this, axes = axesOf(camera);
+    gl.uniform3fv(this.place("eye"), camera.eye);
+    for (const axis of ["right", "up", "forward"]) gl.uniform3fv(this.place(axis), axes[axis]);
+    gl.uniform1i(this.place("is_parallel"), Number(camera.projection === "orthographic"));
+    gl.uniform1f(this.place("pixel_size"), pixelSize(camera));
+    gl.uniform2i(this.place("size"), camera.width, camera.height);
+    gl.uniform1i(this.place("row_step"), this.rowStep);
+  }
+  setDisplay(display) {
+    const { gl } = this, planes = display.planes.slice(0, mostPlanes);
+    gl.uniform1i(this.place("look"), looks2.indexOf(display.look));
+    gl.uniform1f(this.place("white"), display.white);
+    gl.uniform1f(this.place("full_curvature"), display.fullCurvature);
+    gl.uniform1i(this.place("is_hurried"), Number(display.isHurried));
+    gl.uniform1i(this.place("plane_count"), planes.length);
+    planes.forEach((plane, i) => this.setPlane(`planes[${i}]`, plane));
+  }
+  setPlane(name, plane) {
+    const { gl } = this, u = unit(plane.u);
+    const across = difference(plane.v, scaled(u, dot(u, plane.v))), v = unit(across);
+    const vectors = { origin: plane.origin, u, v, normal: cross(u, v), luminance: plane.luminance };
+    for (const [field, value] of Object.entries(vectors)) gl.uniform3fv(this.place(`${name}.${field}`), value);
+    const numbers = {
+      length: length(plane.u),
+      first: (length(across) - (plane.lamps - 1) * plane.pitch) / 2,
+      pitch: plane.pitch,
+      diameter: plane.diameter
+    };
+    for (const [field, value] of Object.entries(numbers)) gl.uniform1f(this.place(`${name}.${field}`), value);
+    gl.uniform1i(this.place(`${name}.lamps`), plane.lamps);
+    gl.uniform1i(this.place(`${name}.round`), Number(plane.mirror !== "flat"));
+  }
+  bind(texture) {
+    const { gl } = this;
+    gl.activeTexture(gl.TEXTURE0 + Object.keys(this.textures).indexOf(texture));
+    gl.bindTexture(gl.TEXTURE_2D, this.textures[texture]);
+  }
+  place(uniform) {
+    if (!this.places.has(uniform)) this.places.set(uniform, this.gl.getUniformLocation(this.program, uniform));
+    return this.places.get(uniform);
+  }
+  compiled() {
+    const { gl } = this, program = gl.createProgram();
+    for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
+      const shader = gl.createShader(kind);
+      gl.shaderSource(shader, text);
+      gl.compileShader(shader);
+      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "");
+      gl.attachShader(program, shader);
+    }
+    gl.linkProgram(program);
+    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "");
+    return program;
+  }
+};
+function quantile(values, share) {
+  const sorted = Float64Array.from(values).sort();
+  return sorted[Math.round(share * (sorted.length - 1))] ?? 0;
+}
+
+// source/server.ts
+function tokenOf() {
+  const given = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (given) {
+    sessionStorage.setItem("token", given);
+    history.replaceState(null, "", location.pathname);
+  }
+  return sessionStorage.getItem("token") ?? "";
+}
+var headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
+async function ask(method, path, body, signal) {
+  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body ?? "", signal });
+  if (reply.ok) return reply;
+  const text = await reply.text();
+  let reason = text;
+  try {
+    reason = JSON.parse(text).error;
+  } catch {
+  }
+  throw new Error(`${path}: ${reason}`);
+}
+var facts = async () => (await ask("GET", "/scene")).json();
+var newRig = async (toml) => (await ask("PUT", "/rig", toml)).json();
+var vector = (v) => `[${v.join(", ")}]`;
+function planeText(plane) {
+  return [
+    "[[c_plane]]",
+    `origin = ${vector(plane.origin)}`,
+    `u = ${vector(plane.u)}`,
+    `v = ${vector(plane.v)}`,
+    `lamps = ${plane.lamps}`,
+    `pitch = ${plane.pitch}`,
+    `diameter = ${plane.diameter}`,
+    `luminance = ${vector(plane.luminance)}`,
+    `caps = "${plane.caps}"`,
+    `mirror = "${plane.mirror}"`
+  ].join("\n");
+}
+function cameraText(camera) {
+  const lens = camera.projection === "orthographic" ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
+  return [
+    `projection = "${camera.projection}"`,
+    `eye = ${vector(camera.eye)}`,
+    `target = ${vector(camera.target)}`,
+    `up = ${vector(camera.up)}`,
+    lens
+  ].join("\n");
+}
+var viewText = (camera) => `format = "keiko-view/1"
+${cameraText(camera)}
+`;
+function requestText(camera, planes, more = "") {
+  return [
+    'format = "keiko-view-request/1"',
+    more,
+    planes?.length === 0 ? "c_plane = []" : "",
+    "[camera]",
+    cameraText(camera),
+    `size = [${camera.width}, ${camera.height}]`,
+    ...(planes ?? []).map(planeText),
+    ""
+  ].join("\n");
+}
+async function followProgress(tell) {
+  const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  for (; ; ) {
+    const { value, done } = await reader.read();
+    if (done) return;
+    const lines = (text + value).split("\n");
+    text = lines.pop();
+    for (const line of lines)
+      if (line.startsWith("data: ")) {
+        const { stage, fraction } = JSON.parse(line.slice(6));
+        tell(stage, fraction);
+      }
+  }
+}
+
+// source/main.ts
+var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
+var rest = 300;
+var Viewer = class {
+  constructor(facts2) {
+    this.facts = facts2;
+    this.look = "lamps";
+    this.row = 0;
+    this.white = 0;
+    this.fullCurvature = 1e-3;
+    this.canvas = byId("picture");
+    this.still = byId("still");
+    this.deep = new AbortController();
+    this.exact = new AbortController();
+    this.timer = 0;
+    this.frame = 0;
+    this.drag = null;
+    this.camera = facts2.camera;
+    this.planes = facts2.rig.planes;
+    this.picture = new Picture(this.canvas, facts2);
+    this.showPanel();
+    this.listen();
+    window.onresize = () => this.fit();
+    this.fit();
+    void this.trace(false);
+  }
+  /** Fetches the surfaces of the view, coarse rows first, or a small draft of it. */
+  async trace(isDraft) {
+    this.deep.abort();
+    const own = this.deep = new AbortController();
+    const camera = isDraft ? sized(this.camera, this.camera.width >> 1, this.camera.height >> 1) : this.camera;
+    const began = performance.now();
+    let isFirst = true;
+    try {
+      const more = `interlaced = ${!isDraft}
+reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
+      const reply = await ask("POST", "/deep", requestText(camera, void 0, more), own.signal);
+      await readPasses(reply, (pass) => {
+        if (own.signal.aborted) return;
+        this.picture.add(pass, camera, isFirst);
+        if (isFirst && this.white === 0) this.measure(8);
+        isFirst = false;
+        this.paint();
+      });
+      if (!isDraft) this.measure(1);
+      this.paint();
+      this.tell(`${isDraft ? "draft" : "surfaces"} in ${(performance.now() - began).toFixed(0)} ms`);
+    } catch (error) {
+      if (!own.signal.aborted) this.fail(error);
+    }
+  }
+  /** White or the scale of curvature, by every so many-th pixel. */
+  measure(stride) {
+    if (this.look === "curvature") this.fullCurvature = this.picture.usualCurvature();
+    if (this.look === "lamps") this.white = this.picture.whiteOf(this.display(), stride);
+  }
+  display() {
+    return {
+      look: this.look,
+      planes: this.planes,
+      white: this.white || 1,
+      fullCurvature: this.fullCurvature,
+      isHurried: this.drag !== null
+    };
+  }
+  paint() {
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => this.picture.draw(this.display()));
+  }
+  /** Something has moved: the exact picture is out of date, and follows at rest. */
+  changed(isEye, isOver) {
+    this.still.hidden = true;
+    this.exact.abort();
+    clearTimeout(this.timer);
+    if (isEye) void this.trace(!isOver);
+    else this.paint();
+    if (!isOver) return;
+    if (!isEye) this.measure(1);
+    if (this.look === "lamps") this.timer = window.setTimeout(() => void this.fetchStill(), rest);
+  }
+  async fetchStill() {
+    const own = this.exact = new AbortController();
+    try {
+      const reply = await ask("POST", "/still", requestText(this.camera, this.planes), own.signal);
+      const image = await createImageBitmap(await reply.blob());
+      if (own.signal.aborted) return;
+      Object.assign(this.still, { width: image.width, height: image.height, hidden: false });
+      this.still.getContext("2d").drawImage(image, 0, 0);
+      this.tell("exact picture");
+    } catch (error) {
+      if (!own.signal.aborted) this.fail(error);
+    }
+  }
+  /** Shows picture and still as large as the window allows, in the shape of the camera's. */
+  fit() {
+    const room = this.canvas.parentElement, { width, height } = this.camera;
+    const scale = Math.min(room.clientWidth / width, room.clientHeight / height);
+    for (const shown of [this.canvas, this.still])
+      Object.assign(shown.style, { width: `${width * scale}px`, height: `${height * scale}px` });
+  }
+  listen() {
+    this.canvas.onpointerdown = (event) => {
+      this.canvas.setPointerCapture(event.pointerId);
+      const movesLamps = event.ctrlKey || event.metaKey;
+      this.drag = { x: event.clientX, y: event.clientY, movesLamps, pans: event.shiftKey || event.button > 0, moved: false };
+    };
+    this.canvas.onpointermove = (event) => this.move(event);
+    this.canvas.onpointerup = (event) => {
+      const { drag } = this;
+      this.drag = null;
+      if (drag?.moved) this.changed(!drag.movesLamps, true);
+      else this.pick(event);
+    };
+    this.canvas.oncontextmenu = (event) => event.preventDefault();
+    this.canvas.onwheel = (event) => {
+      event.preventDefault();
+      this.camera = dollied(this.camera, Math.exp(event.deltaY / 1e3));
+      this.changed(true, false);
+      this.timer = window.setTimeout(() => this.changed(true, true), rest);
+    };
+    this.canvas.onkeydown = (event) => this.key(event);
+  }
+  move(event) {
+    const { drag } = this;
+    if (!drag) return;
+    const x = event.clientX - drag.x, y = event.clientY - drag.y;
+    if (!drag.moved && Math.hypot(x, y) < 3) return;
+    Object.assign(drag, { x: event.clientX, y: event.clientY, moved: true });
+    if (drag.movesLamps) this.moveRow(x, y);
+    else if (drag.pans) this.camera = panned(this.camera, x, y);
+    else this.camera = orbited(this.camera, this.camera.target, -x / 200, -y / 200);
+    this.changed(!drag.movesLamps, false);
+  }
+  /** Moves the chosen row within its plane, as far as the pointer at the body. */
+  moveRow(x, y) {
+    const plane = this.planes[this.row];
+    if (!plane) return;
+    const { right, up } = axesOf(this.camera), far = length(difference(this.camera.target, this.camera.eye));
+    const way = scaled(sum(scaled(right, x), scaled(up, -y)), far * 2 * Math.tan(this.camera.vertical_fov * Math.PI / 360) / this.camera.height);
+    const u = unit(plane.u), v = unit(plane.v);
+    const step = sum(scaled(u, dot(way, u)), scaled(v, dot(way, v)));
+    this.planes = this.planes.map((p, i) => i === this.row ? { ...p, origin: sum(p.origin, step) } : p);
+  }
+  key(event) {
+    const step = 10, arrows = {
+      ArrowLeft: [-step, 0],
+      ArrowRight: [step, 0],
+      ArrowUp: [0, -step],
+      ArrowDown: [0, step]
+    };
+    const way = arrows[event.key];
+    const look = looks2["lzc".indexOf(event.key)];
+    if (look) this.choose(look);
+    if (!way) return;
+    event.preventDefault();
+    if (event.ctrlKey) this.moveRow(...way);
+    else this.camera = orbited(this.camera, this.camera.target, -way[0] / 200, -way[1] / 200);
+    this.changed(!event.ctrlKey, true);
+  }
+  pick(event) {
+    const box = this.canvas.getBoundingClientRect();
+    const x = Math.floor((event.clientX - box.left) / box.width * this.canvas.width);
+    const y = Math.floor((event.clientY - box.top) / box.height * this.canvas.height);
+    const at = this.picture.pick(x, y);
+    if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
+    const { origin, direction } = rayOf(sized(this.camera, this.canvas.width, this.canvas.height), x + 0.5, y + 0.5);
+    const face = at.face > 0 ? this.facts.faces[at.face - 1] : null;
+    const numbers = (v, digits) => v.map((n) => n.toFixed(digits)).join(", ");
+    showPairs(byId("pick"), [
+      ["face", face ? `${face.id} ${face.name}` : "ground"],
+      ["place", `${numbers(sum(origin, scaled(direction, at.t)), 2)} mm`],
+      ["normal", numbers(at.normal, 4)],
+      ["radii", at.radii.map((r) => Math.abs(r) < 1e6 ? `${r.toPrecision(4)} mm` : "flat").join(", ")]
+    ]);
+  }
+  choose(look) {
+    this.look = look;
+    choice(byId("looks"), looks2, look, (name) => this.choose(name));
+    this.changed(false, true);
+  }
+  setRig(rig) {
+    this.planes = rig.planes;
+    this.row = 0;
+    this.showLamps();
+    this.changed(false, true);
+  }
+  showLamps() {
+    showRows(this.planes, this.row, (row) => {
+      this.row = row;
+    }, (row, plane) => {
+      this.planes = this.planes.map((p, i) => i === row ? withRoom(plane) : p);
+      this.changed(false, true);
+    });
+  }
+  showPanel() {
+    choice(byId("looks"), looks2, this.look, (name) => this.choose(name));
+    const views = [
+      { name: "opened", camera: this.facts.camera },
+      ...this.facts.views.filter(({ name }) => shownViews.includes(name))
+    ];
+    byId("views").replaceChildren(
+      ...views.map(({ name, camera }) => button(name, () => this.lookFrom(camera))),
+      button("save view", () => download("view.toml", new Blob([viewText(this.camera)])))
+    );
+    this.showLamps();
+    byId("lamp-buttons").replaceChildren(
+      button("place for this view", () => void this.run("/place", async (reply) => this.setRig((await reply.json()).rig))),
+      button("save", () => void this.save()),
+      button("open", () => this.open())
+    );
+    byId("seams").replaceChildren(button("judge", () => void this.judge()));
+    showFacts(this.facts);
+  }
+  lookFrom(camera) {
+    this.camera = sized(camera, this.camera.width, this.camera.height);
+    this.changed(true, true);
+  }
+  /** Asks for work on the view and the lamps that are shown. */
+  async run(path, use) {
+    try {
+      await use(await ask("POST", path, requestText(this.camera, this.planes)));
+      this.tell("");
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+  async save() {
+    await this.run("/rig", async (reply) => download("rig.toml", await reply.blob()));
+  }
+  open() {
+    const input = Object.assign(document.createElement("input"), { type: "file", accept: ".toml" });
+    input.onchange = async () => {
+      try {
+        if (input.files?.[0]) this.setRig(await newRig(await input.files[0].text()));
+      } catch (error) {
+        this.fail(error);
+      }
+    };
+    input.click();
+  }
+  async judge() {
+    try {
+      const { seams } = await (await ask("GET", "/seams")).json();
+      showSeams(seams, (seam) => this.fly(seam.middle));
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+  fly(place) {
+    const near = length(difference(this.facts.bounds.upper, this.facts.bounds.lower)) / 2;
+    this.lookFrom(lookingAt(this.camera, place, near));
+  }
+  tell(line) {
+    byId("state").textContent = line;
+  }
+  fail(error) {
+    this.tell(error instanceof Error ? error.message : String(error));
+  }
+};
+function withRoom(plane) {
+  const needed = (plane.lamps - 1) * plane.pitch + plane.diameter, more = needed - length(plane.v);
+  if (more <= 0) return plane;
+  const across = unit(plane.v);
+  return { ...plane, origin: sum(plane.origin, scaled(across, -more / 2)), v: scaled(across, needed) };
+}
+async function start() {
+  try {
+    new Viewer(await facts());
+    await followProgress((stage, fraction) => {
+      byId("state").textContent = `${stage} ${Math.round(100 * fraction)} %`;
+    });
+  } catch (error) {
+    byId("state").textContent = error instanceof Error ? error.message : String(error);
+  }
+}
+void start();

@@ -1,0 +1,59 @@
+import { Camera } from "./camera";
+import { Vector } from "./vector";
+
+/** A row of lamps on its C-plane; lengths in mm, luminance in cd/m2. */
+export interface Plane {
+  origin: Vector;
+  u: Vector;
+  v: Vector;
+  lamps: number;
+  pitch: number;
+  diameter: number;
+  luminance: Vector;
+  caps: "dark" | "luminous";
+  mirror: "tube" | "flat" | "exact";
+}
+
+/** A rig, keiko-view-rig/1. */
+export interface Rig {
+  name: string;
+  planes: Plane[];
+  other_lights: number;
+  ambient: Vector;
+  medium: boolean;
+}
+
+export interface Material {
+  name: string;
+  mirror: boolean;
+  metal: boolean;
+  diffuse: Vector;
+  n: Vector;
+  k: Vector;
+}
+
+/** The scene, keiko-view-facts/1. */
+export interface Facts {
+  tool: { name: string; version: string };
+  inputs: string[];
+  view: string;
+  camera: Camera;
+  bounds: { lower: Vector; upper: Vector };
+  ground: { z: number; material: number } | null;
+  background: Vector;
+  reflections: number;
+  min_weight: number;
+  materials: Material[];
+  faces: { id: number; name: string; layer: string; material: number }[];
+  views: { name: string; camera: Camera }[];
+  rig: Rig;
+}
+
+/** A stretch of a seam in keiko-inspection/1, as far as the page shows it. */
+export interface Seam {
+  number: number;
+  faces: string;
+  verdict: string;
+  kind: string;
+  middle: Vector;
+}

@@ -1,0 +1,81 @@
+import { Facts, Plane, Seam } from "./facts";
+
+/** An element with text or children. */
+export function element(tag: string, content: string | Node[] = "", properties: object = {}): HTMLElement {
+  const made = Object.assign(document.createElement(tag), properties);
+  made.append(...(typeof content === "string" ? [content] : content));
+  return made;
+}
+
+export const byId = (id: string): HTMLElement => document.getElementById(id)!;
+
+export function button(name: string, act: () => void): HTMLElement {
+  return element("button", name, { onclick: act, type: "button" });
+}
+
+/** Hands a file to the user. */
+export function download(name: string, bytes: Blob): void {
+  const href = URL.createObjectURL(bytes);
+  element("a", "", { href, download: name }).click();
+  URL.revokeObjectURL(href);
+}
+
+/** Buttons of which one is pressed. */
+export function choice(into: HTMLElement, names: readonly string[], pressed: string, choose: (name: string) => void): void {
+  into.replaceChildren(...names.map((name) => {
+    const made = button(name, () => {
+      choice(into, names, name, choose);
+      choose(name);
+    });
+    made.setAttribute("aria-pressed", String(name === pressed));
+    return made;
+  }));
+}
+
+/** Name and value, as entries of a list. */
+export function showPairs(list: HTMLElement, pairs: [string, string][]): void {
+  list.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
+}
+
+export function showFacts(facts: Facts): void {
+  const { lower, upper } = facts.bounds;
+  const size = upper.map((x, i) => (x - lower[i]).toFixed(0)).join(" × ");
+  showPairs(byId("facts"), [
+    ["file", facts.inputs.join(", ")], ["view", facts.view], ["faces", String(facts.faces.length)],
+    ["size", `${size} mm`], ["materials", facts.materials.map((m) => m.name).join(", ")],
+    ["Keiko", facts.tool.version],
+  ]);
+}
+
+/** The rows of lamps: which one is dragged, and its numbers. `change` gets the row after an edit. */
+export function showRows(planes: Plane[], selected: number, select: (row: number) => void,
+  change: (row: number, plane: Plane) => void): void {
+  const number = (row: number, key: "lamps" | "diameter" | "pitch", least: number): HTMLElement => {
+    const input = element("input", "", {
+      type: "number", min: least, value: String(Number(planes[row][key].toFixed(2))), ariaLabel: key,
+    }) as HTMLInputElement;
+    input.onchange = () => {
+      const value = Number(input.value);
+      if (value >= least) change(row, { ...planes[row], [key]: key === "lamps" ? Math.round(value) : value });
+    };
+    return input;
+  };
+  const lines = planes.map((_, row) => element("tr", [
+    element("td", [element("input", "", { type: "radio", name: "row", checked: row === selected, onchange: () => select(row) })]),
+    element("td", [number(row, "lamps", 1)]), element("td", [number(row, "pitch", 1)]),
+    element("td", [number(row, "diameter", 1)]),
+  ]));
+  const head = element("tr", ["row", "lamps", "pitch mm", "Ø mm"].map((name) => element("th", name)));
+  byId("rows").replaceChildren(element("table", [head, ...lines]));
+}
+
+/** The seams, the worst first; a click flies there. */
+export function showSeams(seams: Seam[], fly: (seam: Seam) => void): void {
+  const order = ["fail", "undecided", "pass"];
+  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
+  const lines = sorted.map((seam) => element("tr", [
+    element("td", seam.verdict, { className: seam.verdict }), element("td", seam.kind),
+    element("td", [button(seam.faces, () => fly(seam))]),
+  ]));
+  byId("seams").replaceChildren(seams.length > 0 ? element("table", lines) : element("p", "no seams"));
+}

@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Times of `keiko view` as a page on this machine has them.
+
+usage: tests/bench/view.py KEIKO [SCENE...] [--size WxH] [--rounds N]
+
+start: from the command to the address, and to the first rows of the first view. deep: a whole answer to
+POST /deep in one message, and the first of four interlaced ones and all of them. draft: half the size.
+Each is the median of N requests on one connection, in ms; MB is the size of the whole answer.
+"""
+import argparse
+import http.client
+import json
+import statistics
+import subprocess
+import time
+from pathlib import Path
+
+SURFACES = Path(__file__).resolve().parent.parent.parent / "surfaces"
+HEADER, SAMPLE, BOUNCE = 32, 32, 36
+
+
+def timed(connection, token: str, body: str):
+    """Milliseconds to the first whole message and to the end, and the bytes."""
+    begin = time.perf_counter()
+    connection.request("POST", "/deep", body.encode(), {"X-Keiko-Token": token})
+    reply = connection.getresponse()
+    head = reply.read(HEADER)
+    numbers = [int.from_bytes(head[8 + 4 * i:12 + 4 * i], "little") for i in range(6)]
+    first = reply.read(numbers[4] * SAMPLE + numbers[5] * BOUNCE)
+    at_first = time.perf_counter()
+    rest = reply.read()
+    end = time.perf_counter()
+    return 1e3 * (at_first - begin), 1e3 * (end - begin), HEADER + len(first) + len(rest)
+
+
+def camera_of(connection, token: str) -> dict:
+    connection.request("GET", "/scene", headers={"X-Keiko-Token": token})
+    return json.loads(connection.getresponse().read())["camera"]
+
+
+def request(camera: dict, width: int, height: int, interlaced: bool) -> str:
+    return (f"interlaced = {str(interlaced).lower()}\n[camera]\neye = {camera['eye']}\ntarget = {camera['target']}\n"
+            f"up = {camera['up']}\nvertical_fov = {camera['vertical_fov']}\nsize = [{width}, {height}]\n")
+
+
+def bench(keiko: str, scene: Path, width: int, height: int, rounds: int):
+    begin = time.perf_counter()
+    process = subprocess.Popen([keiko, "view", scene, "--no-browser", "--size", f"{width}x{height}"], text=True,
+                               stdout=subprocess.PIPE)
+    try:
+        place, _, token = process.stdout.readline().strip().partition("/#token=")
+        address = time.perf_counter()
+        connection = http.client.HTTPConnection("127.0.0.1", int(place.rpartition(":")[2]))
+        camera = camera_of(connection, token)
+        timed(connection, token, request(camera, width, height, True))
+        rows = time.perf_counter()
+        print(f"{scene.name}: start {1e3 * (address - begin):.0f} ms to the address, "
+              f"{1e3 * (rows - begin):.0f} ms to all rows of the first view")
+        for name, w, h, interlaced in (("deep", width, height, False), ("interlaced", width, height, True),
+                                       ("draft", width // 2, height // 2, False)):
+            times = [timed(connection, token, request(camera, w, h, interlaced)) for _ in range(rounds)]
+            first, whole = (statistics.median(t[i] for t in times) for i in (0, 1))
+            print(f"  {name:11} {w} x {h}: first message {first:6.1f} ms, all {whole:6.1f} ms, "
+                  f"{times[0][2] / 1e6:.2f} MB")
+    finally:
+        process.terminate()
+        process.wait()
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("keiko")
+    parser.add_argument("scenes", nargs="*", type=Path)
+    parser.add_argument("--size", default="960x540")
+    parser.add_argument("--rounds", type=int, default=15)
+    arguments = parser.parse_args()
+    width, height = map(int, arguments.size.split("x"))
+    for scene in arguments.scenes or [SURFACES / "concept-car-scene.toml", SURFACES / "hood-scene.toml"]:
+        bench(arguments.keiko, scene, width, height, arguments.rounds)
+
+
+if __name__ == "__main__":
+    main()

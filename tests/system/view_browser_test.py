@@ -1,0 +1,219 @@
+"""The page of keiko view in a real browser. Exits with 77 where there is none, unless CI is set."""
+import base64
+import os
+import shutil
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+HERE = Path(__file__).resolve().parent
+sys.path += [str(HERE.parent), str(HERE.parent / "cli")]
+import png_file
+from keiko_process import KeikoTest, surface
+from view_test import Server
+
+try:
+    from selenium import webdriver
+    from selenium.webdriver.chrome.service import Service
+    from selenium.webdriver.common.action_chains import ActionChains
+    from selenium.webdriver.common.by import By
+    from selenium.webdriver.common.keys import Keys
+except ImportError:
+    webdriver = None
+
+SKIPPED = 77
+# Reflections alone: nothing of the picture is the paint's own light.
+SCENE = """format = "keiko-scene/1"
+background = 36
+ambient = 300
+[[model]]
+file = "%s"
+material = "mirror"
+[camera]
+eye = [-1700, -1300, 2000]
+target = [560, 0, 720]
+vertical_fov = 21.5
+size = [480, 270]
+[[c_plane]]
+origin = [-1000, -3000, 2600]
+u = [12000, 0, 0]
+v = [0, 6000, 0]
+lamps = 20
+diameter = 120
+"""
+
+
+def browser(profile: str, downloads: str):
+    options = webdriver.ChromeOptions()
+    for flag in ("--headless=new", "--enable-unsafe-swiftshader", "--use-angle=swiftshader", "--disable-dev-shm-usage",
+                 "--window-size=1400,900", f"--user-data-dir={profile}"):
+        options.add_argument(flag)
+    if os.geteuid() == 0:
+        options.add_argument("--no-sandbox")
+    options.binary_location = shutil.which("chromium")
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    options.add_experimental_option("prefs", {"download.default_directory": downloads})
+    return webdriver.Chrome(service=Service(shutil.which("chromedriver")), options=options)
+
+
+class Page(KeikoTest):
+    def setUp(self):
+        super().setUp()
+        self.write("scene.toml", SCENE % surface("hood.step"))
+        self.server = Server(self.folder, "scene.toml")
+        self.addCleanup(self.server.close)
+        profile = tempfile.TemporaryDirectory(prefix="keiko-browser-", ignore_cleanup_errors=True)
+        self.addCleanup(profile.cleanup)
+        self.browser = browser(profile.name, str(self.folder / "downloads"))
+        self.addCleanup(self.browser.quit)
+        self.browser.get(self.server.address)
+        self.wait_for(lambda: "surfaces in" in self.state() or "exact" in self.state())
+
+    def state(self) -> str:
+        return self.browser.find_element(By.ID, "state").text
+
+    def wait_for(self, condition, seconds: float = 30):
+        end = time.monotonic() + seconds
+        while not condition():
+            self.assertLess(time.monotonic(), end, f"state: {self.state()}, log: {self.browser.get_log('browser')}")
+            time.sleep(0.05)
+
+    def wait_for_still(self):
+        self.wait_for(lambda: self.browser.execute_script("return !document.getElementById('still').hidden"))
+
+    def canvas(self, name: str = "picture") -> bytes:
+        """The canvas as it is drawn, as a PNG."""
+        address = self.browser.execute_script(
+            "return new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => "
+            f"done(document.getElementById('{name}').toDataURL()))))")
+        return base64.b64decode(address.partition(",")[2])
+
+    def pixels(self, png: bytes, name: str = "picture.png") -> list:
+        (self.folder / name).write_bytes(png)
+        return self.file_pixels(name)
+
+    def file_pixels(self, name: str) -> list:
+        """Red, green and blue of each pixel of a file."""
+        _, _, channels, samples = png_file.read_png(self.folder / name)
+        return [samples[i:i + 3] for i in range(0, len(samples), channels)]
+
+    def press(self, name: str):
+        self.browser.find_element(By.XPATH, f"//button[text()='{name}']").click()
+
+    def drag(self, x: int, y: int, key=None):
+        canvas = self.browser.find_element(By.ID, "picture")
+        actions = ActionChains(self.browser).move_to_element(canvas)
+        if key:
+            actions.key_down(key)
+        actions.click_and_hold().move_by_offset(x // 2, y // 2).move_by_offset(x - x // 2, y - y // 2).release()
+        if key:
+            actions.key_up(key)
+        actions.perform()
+
+    def errors(self) -> list:
+        return [entry["message"] for entry in self.browser.get_log("browser") if entry["level"] == "SEVERE"]
+
+    def text(self, identity: str) -> str:
+        return self.browser.find_element(By.ID, identity).text
+
+
+def differences(a: list, b: list) -> tuple:
+    """Mean over all channels, and the share of the pixels with a channel that differs by more than 3."""
+    off = [[abs(x - y) for x, y in zip(p, q)] for p, q in zip(a, b)]
+    return sum(map(sum, off)) / (3 * len(off)), sum(max(pixel) > 3 for pixel in off) / len(off)
+
+
+class Pictures(Page):
+    def test_the_canvas_shows_what_render_does(self):
+        self.succeed("render", "scene.toml", "-o", "render.png", "--edge-samples", "1")
+        mean, beyond = differences(self.pixels(self.canvas()), self.file_pixels("render.png"))
+        self.assertLess(mean, 0.25)
+        self.assertLess(beyond, 0.012, "more than the pixels whose image is bent")
+        self.assertEqual(self.errors(), [])
+
+    def test_lamps_that_were_dragged_are_those_of_render(self):
+        before = self.pixels(self.canvas())
+        self.drag(120, -60, Keys.CONTROL)
+        self.wait_for_still()
+        moved = self.pixels(self.canvas())
+        self.assertGreater(differences(before, moved)[1], 0.1)
+        self.press("save")
+        rig = self.saved("rig.toml")
+        self.succeed("render", "scene.toml", "-o", "render.png", "--edge-samples", "1", "--rig", rig)
+        mean, beyond = differences(moved, self.file_pixels("render.png"))
+        self.assertLess(mean, 0.25)
+        self.assertLess(beyond, 0.012)
+
+    def saved(self, name: str) -> str:
+        file = self.folder / "downloads" / name
+        self.wait_for(file.exists)
+        return str(file)
+
+    def test_the_still_at_rest_is_the_picture_of_render(self):
+        self.drag(90, 0)
+        self.wait_for_still()
+        self.press("save view")
+        view = self.saved("view.toml")
+        self.succeed("render", "scene.toml", "-o", "render.png", "--view", view)
+        self.assertEqual(self.pixels(self.canvas("still")), self.file_pixels("render.png"))
+
+    def test_each_look_fills_the_surface(self):
+        lamps = self.pixels(self.canvas())
+        for name, key in ("zebra", "z"), ("curvature", "c"), ("lamps", "l"):
+            self.press(name)
+            pressed = self.pixels(self.canvas())
+            self.browser.find_element(By.ID, "picture").send_keys("l" if name != "lamps" else "z")
+            self.browser.find_element(By.ID, "picture").send_keys(key)
+            self.assertEqual(self.pixels(self.canvas()), pressed, name)
+            if name != "lamps":
+                self.assertGreater(differences(lamps, pressed)[1], 0.2, name)
+        self.assertEqual(pressed, lamps)
+        self.assertEqual(self.errors(), [])
+
+
+class Panel(Page):
+    def test_a_click_names_the_place(self):
+        self.browser.find_element(By.ID, "picture").click()
+        lines = self.text("pick").split("\n")
+        self.assertIn("dome", lines[lines.index("face") + 1])
+        x, y, z = map(float, lines[lines.index("place") + 1].removesuffix(" mm").split(","))
+        eye = (-1700, -1300, 2000)
+        ray = ",".join(map(str, (*eye, x - eye[0], y - eye[1], z - eye[2]))) + "\n"
+        run = self.keiko("trace", "scene.toml", "--out", "t", input=ray)
+        self.assertAlmostEqual(float(run.stdout.splitlines()[1]), 1, delta=1e-5)
+
+    def test_seams_are_judged_and_flown_to(self):
+        self.press("judge")
+        self.wait_for(lambda: "judge" not in self.text("seams"))
+        before = self.pixels(self.canvas())
+        self.browser.find_element(By.CSS_SELECTOR, "#seams button").click()
+        self.wait_for_still()
+        self.assertGreater(differences(before, self.pixels(self.canvas()))[1], 0.1)
+
+    def test_lamps_are_placed_for_the_view(self):
+        before = self.text("rows")
+        self.press("place for this view")
+        self.wait_for_still()
+        self.assertGreater(len(self.browser.find_elements(By.CSS_SELECTOR, "#rows tr")), 1)
+        self.assertEqual(before.split()[:2], self.text("rows").split()[:2])
+        self.assertEqual(self.errors(), [])
+
+    def test_a_reload_keeps_the_key(self):
+        self.assertNotIn("token", self.browser.current_url)
+        self.browser.refresh()
+        self.wait_for(lambda: "surfaces in" in self.state())
+        self.assertEqual(self.errors(), [])
+
+    def test_a_page_without_the_key_says_so(self):
+        self.browser.execute_script("sessionStorage.clear()")
+        self.browser.refresh()
+        self.wait_for(lambda: "token" in self.state())
+
+
+if __name__ == "__main__":
+    if webdriver is None or not shutil.which("chromium") or not shutil.which("chromedriver"):
+        print("skipped: the browser tests need chromium, chromium-driver and python3-selenium")
+        sys.exit(1 if os.environ.get("CI") else SKIPPED)
+    unittest.main()
