@@ -49,7 +49,7 @@ TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
     ASSERT_NE(first, std::string::npos);
     ASSERT_LT(first, apart);
     const std::string screen = html.substr(first, apart - first);
-    EXPECT_NE(screen.find("tangent · breaks a reflection by up to 36′ (arc minutes) in view "
+    EXPECT_NE(screen.find("tangent · breaks a reflection by up to 36′ (arc minutes), seen from "
                           "three-quarter front left "
                           "· 100.0 mm on 1 stretch, 96 % of it visible · on both sides"),
               std::string::npos);
@@ -75,7 +75,8 @@ TEST(ReportHtml, AFaultOfAFaceHasACard) {
     const auto first = html.find("What to mend first");
     EXPECT_LT(
         first,
-        html.find("curvature · breaks a reflection by up to 5.0′ (arc minutes) in view top</div>"));
+        html.find(
+            "curvature · breaks a reflection by up to 5.0′ (arc minutes), seen from top</div>"));
     EXPECT_LT(first, html.find("the dent of 0.1 mm"));
 }
 

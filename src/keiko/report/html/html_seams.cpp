@@ -18,6 +18,10 @@ std::string tone_of(const MeasuredSeam& seam) {
     return std::string(name_of(seam.verdict));
 }
 
+bool over(const MeasuredValue& worst) {
+    return worst.verdict != Verdict::pass;
+}
+
 /// One measure against its limit, with a bar that is full at the limit.
 std::string measure(std::string_view label, std::string_view tone, const std::string& value,
                     const std::string& note, double share_of_limit) {
@@ -28,7 +32,7 @@ std::string measure(std::string_view label, std::string_view tone, const std::st
 
 std::string gap_measure(const MeasuredSeam& seam) {
     const MeasuredValue& gap = seam.gap;
-    return measure(seam.overlap ? "overlap" : "gap", name_of(gap.verdict),
+    return measure(seam.overlap && over(gap) ? "overlap" : "gap", name_of(gap.verdict),
                    fixed_number(gap.value, 4) + " mm", "limit " + short_number(gap.limit) + " mm",
                    share_of_limit(gap));
 }
@@ -58,8 +62,11 @@ std::string angle_measure(const MeasuredSeam& seam) {
 
 /// Radius across the seam on a side; those of both sides have one sign where they bend one way.
 std::string radius_text(double curvature) {
-    constexpr double flat = 1e-7; // 1/mm
-    return std::abs(curvature) < flat ? "flat" : "R " + short_number(1 / curvature) + " mm";
+    constexpr double flat = 1e-7, whole = 100; // 1/mm, mm
+    if (std::abs(curvature) < flat) return "flat";
+    const double radius = 1 / curvature;
+    return "R " + (std::abs(radius) < whole ? short_number(radius) : fixed_number(radius, 0)) +
+           " mm";
 }
 
 std::string curvature_measure(const MeasuredSeam& seam) {
@@ -109,7 +116,7 @@ std::string kind_note(const MeasuredSeam& seam) {
     std::string note = seam.internal ? " · a knot line inside the face" : "";
     if (seam.kind == SeamClass::fold)
         note += " · folded back";
-    else if (seam.overlap)
+    else if (seam.overlap && over(seam.gap))
         note += " · one side lies on the other";
     if (seam.parted) note += " · wider than the join distance";
     return note;
@@ -131,10 +138,6 @@ std::string folded_profile_of(const Report& report, std::uint32_t index) {
     const std::string plots = profile_of(report, index);
     return plots.empty() ? ""
                          : "<details><summary>all along the seam</summary>" + plots + "</details>";
-}
-
-bool over(const MeasuredValue& worst) {
-    return worst.verdict != Verdict::pass;
 }
 
 /// Cell sorted by the ratio to its limit.

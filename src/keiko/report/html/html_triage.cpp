@@ -17,16 +17,16 @@ std::string words_of_view(const std::string& view) {
     return is_between ? "three-quarter " + words : words;
 }
 
-/// Sight of a fault in words: "curvature · breaks a reflection by up to 2.8′ (arc minutes) in view
-/// left · 271.5 mm on 3 stretches, 96 % of it visible · on both sides".
+/// Sight of a fault in words: "curvature · breaks a reflection by up to 2.8′ (arc minutes),
+/// seen from left · 271.5 mm on 3 stretches, 96 % of it visible · on both sides".
 std::string sight_text(const TriageItem& item) {
     constexpr double least_width = 0.05, coarse = 10; // arc minutes
     std::string text(name_of(item.mending));
     if (item.width >= least_width)
         text += (item.mending == Mending::position ? " · counts as a break of a reflection by "
                                                    : " · breaks a reflection by up to ") +
-                fixed_number(item.width, item.width < coarse ? 1 : 0) + "′ (arc minutes) in view " +
-                words_of_view(item.view);
+                fixed_number(item.width, item.width < coarse ? 1 : 0) +
+                "′ (arc minutes), seen from " + words_of_view(item.view);
     if (!item.seams.empty())
         text += " · " + fixed_number(item.length, 1) + " mm on " +
                 std::to_string(item.seams.size()) +
