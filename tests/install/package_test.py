@@ -19,9 +19,10 @@ FILES = {
                "usr/share/man/man1/keiko.1.gz", "usr/share/bash-completion/completions/keiko",
                "usr/share/zsh/vendor-completions/_keiko", "usr/share/fish/vendor_completions.d/keiko.fish"],
               r"usr/lib/(\S+/)?libkeiko\.so\.[\d.]+|usr/share/keiko/(rigs|presets|schema)/.*|usr/share/man/man1/.*"),
-    "keiko-dev": (["usr/include/keiko/api/check.h"],
-                  r"usr/include/keiko/.*\.h|usr/lib/(\S+/)?(libkeiko\.so|pkgconfig/keiko\.pc|cmake/keiko/keiko\w+\.cmake)"),
-    "keiko-doc": (["usr/share/doc/keiko/library.md", "usr/share/doc/keiko/install/Dockerfile"], "usr/share/doc/keiko/.*"),
+    "keiko-dev": (["usr/include/keiko/api/check.h"], r"usr/include/keiko/.*\.h|"
+                  r"usr/lib/(\S+/)?(libkeiko\.so|pkgconfig/keiko\.pc|cmake/keiko/keiko\w+\.cmake)"),
+    "keiko-doc": (["usr/share/doc/keiko/library.md", "usr/share/doc/keiko/install/Dockerfile"],
+                  r"usr/share/doc/keiko/.*"),
     "python3-keiko": ([f"usr/lib/python3/dist-packages/keiko/{name}" for name in
                        ("__init__.py", "__init__.pyi", "py.typed", "pytest_plugin.py")],
                       r"usr/lib/python3/dist-packages/keiko/_keiko\.cpython-\d+-\S+\.so"),

@@ -103,7 +103,8 @@ def try_program(system: System):
 def try_python(system: System):
     """The module, in Debian's own Python."""
     system.install("python3-keiko")
-    said = system.run("""python3 -c "import keiko; print(keiko.__file__, keiko.check('surfaces/hood.step').verdict)" """)
+    script = "import keiko; print(keiko.__file__, keiko.check('surfaces/hood.step').verdict)"
+    said = system.run(f'python3 -c "{script}"')
     expect(r"/usr/lib/python3/dist-packages/keiko/__init__.py (pass|fail|undecided)\n", said, "import keiko")
 
 
