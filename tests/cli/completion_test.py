@@ -10,39 +10,55 @@ import unittest
 
 from keiko_process import KeikoTest
 
-# In place of the program: shows the words that it would get.
-SHOW = "keiko() { printf '<%s>' \"$@\"; echo; }"
-SETUP = ["bind 'set enable-bracketed-paste off'", "bind 'set show-all-if-ambiguous on'",
-         "bind 'set completion-query-items 0'", "bind 'set page-completions off'", "source keiko.bash", SHOW]
+# In place of the program: writes the words that it would get, a line each.
+SHOW = "keiko() { printf '%s\\n' \"$@\" >words.new; mv words.new words; }"
+BASH = (["bash", "--norc", "--noprofile", "-i"],
+        ["bind 'set enable-bracketed-paste off'", "bind 'set show-all-if-ambiguous on'",
+         "bind 'set completion-query-items 0'", "bind 'set page-completions off'", "source keiko.bash", SHOW])
+ZSH = (["zsh", "-f", "-i"], ["fpath=($PWD $fpath)", "autoload -Uz compinit", "compinit -u -d dump", SHOW])
+# Words that the program gets of a line, in which a tab is typed.
+COMPLETED = {
+    "keiko insp\t": ["inspect"],
+    "keiko --vers\t": ["--version"],
+    "keiko check --sar\t": ["check", "--sarif"],
+    "keiko check left\t": ["check", "left fender.step"],
+    "keiko check --json left\t": ["check", "--json", "left fender.step"],
+    "keiko check --json=left\t": ["check", "--json=left fender.step"],
+    "keiko trace --intersector cl\t": ["trace", "--intersector", "clipping"],
+    "keiko trace --intersector=cl\t": ["trace", "--intersector=clipping"],
+    "keiko completion f\t": ["completion", "fish"],
+    "keiko check --join 1\t": ["check", "--join", "1"],  # a number, although there is a file 1.step
+}
 
 
-class Bash:
-    """An interactive bash on a terminal of its own."""
+class Shell:
+    """An interactive shell on a terminal of its own, in a folder."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, command: list, setup: list):
+        self.folder = folder
         self.process, self.terminal = pty.fork()
         if self.process == 0:
             os.chdir(folder)
-            os.execve("/bin/bash", ["bash", "--norc", "--noprofile", "-i"],
-                      {"TERM": "dumb", "PS1": "$ ", "PATH": os.environ["PATH"], "COLUMNS": "500", "LC_ALL": "C"})
-        for line in SETUP:
-            self.type(line)
+            os.execvpe(command[0], command, {"TERM": "dumb", "PS1": "$ ", "PATH": os.environ["PATH"],
+                                             "HOME": str(folder), "COLUMNS": "500", "LC_ALL": "C"})
+        for line in setup:
+            self.show(line)
 
-    def type(self, keys: str) -> str:
+    def show(self, keys: str) -> str:
         """What the terminal shows after these keys, up to the end of the command line that they are on."""
         # The mark is typed in two halves, so that the echo of the keys is none.
         os.write(self.terminal, f"{keys}\necho EN''D\n".encode())
-        shown, end = "", time.monotonic() + 20
-        while "END" not in shown.replace("EN''D", ""):
+        shown, end = "", time.monotonic() + 30
+        while not re.search(r"(?m)^END\r?$", shown):
             if not select.select([self.terminal], [], [], max(0, end - time.monotonic()))[0]:
-                raise AssertionError(f"bash does not answer: {shown!r}")
+                raise AssertionError(f"the shell does not answer: {shown!r}")
             shown += os.read(self.terminal, 65536).decode(errors="replace")
         return shown
 
     def words(self, keys: str) -> list:
         """The words that the program gets of a line with completed words."""
-        shown = re.findall(r"(?m)^(?:<[^>]*>)+\r?$", self.type(keys))
-        return re.findall(r"<([^>]*)>", shown[-1]) if shown else []
+        self.show(keys)
+        return (self.folder / "words").read_text().splitlines()
 
     def close(self):
         os.close(self.terminal)
@@ -63,64 +79,54 @@ class Scripts(KeikoTest):
         return set(re.findall(r"^  (?:-\w,)?(--[a-z-]+)", self.succeed(*command, "--help"), re.M))
 
 
-class InBash(Scripts):
-    def setUp(self):
-        super().setUp()
-        self.write_script("bash", "keiko.bash")
-        self.bash = Bash(self.folder)
-        self.addCleanup(self.bash.close)
-
-    def test_a_command_is_completed(self):
-        self.assertEqual(self.bash.words("keiko insp\t"), ["inspect"])
-
-    def test_every_command_is_proposed(self):
-        shown = self.bash.type("keiko \t\x15")
-        self.assertLessEqual(set(self.all_commands()), set(shown.split()))
-
-    def test_an_option_is_completed(self):
-        self.assertEqual(self.bash.words("keiko check --sar\t"), ["check", "--sarif"])
-        self.assertEqual(self.bash.words("keiko --vers\t"), ["--version"])
-
-    def test_every_option_of_every_command_is_proposed(self):
-        for command in self.all_commands():
-            shown = self.bash.type(f"keiko {command} -\t\x15")
-            self.assertLessEqual(self.options_of(command), set(shown.split()), command)
-
-    def test_names_of_files_are_completed_for_arguments_and_options(self):
-        self.write("left fender.step", "")
-        self.assertEqual(self.bash.words("keiko check left\t"), ["check", "left fender.step"])
-        self.assertEqual(self.bash.words("keiko check --json left\t"), ["check", "--json", "left fender.step"])
-        self.assertEqual(self.bash.words("keiko check --json=left\t"), ["check", "--json=left fender.step"])
-
-    def test_words_of_a_choice_are_completed(self):
-        self.assertEqual(self.bash.words("keiko trace --intersector cl\t"), ["trace", "--intersector", "clipping"])
-        self.assertEqual(self.bash.words("keiko trace --intersector=cl\t"), ["trace", "--intersector=clipping"])
-        self.assertEqual(self.bash.words("keiko completion f\t"), ["completion", "fish"])
-
-    def test_nothing_is_proposed_for_a_number(self):
-        self.write("1.step", "")
-        self.assertEqual(self.bash.words("keiko check --join 1\t"), ["check", "--join", "1"])
-
-
-class InOtherShells(Scripts):
-    def run_shell(self, *command: str) -> str:
+class Typed(Scripts):
+    def start(self, command: list, setup: list) -> Shell:
         if not shutil.which(command[0]):
             self.skipTest(f"there is no {command[0]}")
-        done = subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=60,
-                              env={**os.environ, "HOME": str(self.folder), "TERM": "dumb"})
-        self.assertEqual((done.returncode, done.stderr), (0, ""), command)
+        self.write("left fender.step", "")
+        self.write("1.step", "")
+        shell = Shell(self.folder, command, setup)
+        self.addCleanup(shell.close)
+        return shell
+
+    def start_bash(self) -> Shell:
+        self.write_script("bash", "keiko.bash")
+        return self.start(*BASH)
+
+    def check_completions(self, shell: Shell):
+        for keys, words in COMPLETED.items():
+            with self.subTest(keys):
+                self.assertEqual(shell.words(keys), words)
+
+    def test_bash_completes_commands_options_choices_and_files(self):
+        self.check_completions(self.start_bash())
+
+    def test_zsh_completes_commands_options_choices_and_files(self):
+        self.write_script("zsh", "_keiko")
+        self.check_completions(self.start(*ZSH))
+
+    def test_bash_proposes_every_command(self):
+        shown = self.start_bash().show("keiko \t\x15")
+        self.assertLessEqual(set(self.all_commands()), set(shown.split()))
+
+    def test_bash_proposes_every_option_of_every_command(self):
+        bash = self.start_bash()
+        for command in self.all_commands():
+            shown = bash.show(f"keiko {command} -\t\x15")
+            self.assertLessEqual(self.options_of(command), set(shown.split()), command)
+
+
+class InFish(Scripts):
+    def run_fish(self, script: str) -> str:
+        done = subprocess.run(["fish", "--no-config", "-c", script], cwd=self.folder, capture_output=True, text=True,
+                              timeout=60, env={**os.environ, "HOME": str(self.folder), "TERM": "dumb"})
+        self.assertEqual((done.returncode, done.stderr), (0, ""), script)
         return done.stdout
 
-    def test_zsh_reads_the_script(self):
-        self.write_script("zsh", "_keiko")
-        self.run_shell("zsh", "-f", "-n", "_keiko")
-        said = self.run_shell("zsh", "-f", "-c", "fpath=($PWD $fpath); autoload -Uz compinit; compinit -u -d dump; "
-                              "print $_comps[keiko]")
-        self.assertEqual(said, "_keiko\n")
-
-    def test_fish_reads_the_script_and_completes(self):
+    @unittest.skipUnless(shutil.which("fish"), "there is no fish")
+    def test_fish_completes_commands_options_choices_and_files(self):
         def completed(line: str) -> list:
-            said = self.run_shell("fish", "--no-config", "-c", f"source keiko.fish; complete -C '{line}'")
+            said = self.run_fish(f"source keiko.fish; complete -C '{line}'")
             return [proposal.split("\t")[0] for proposal in said.splitlines()]
         self.write_script("fish", "keiko.fish")
         self.write("left.step", "")
