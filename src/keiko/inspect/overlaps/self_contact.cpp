@@ -89,6 +89,7 @@ private:
     /// The axis in which two cells that touch lie beside each other, if they do so in one alone:
     /// what is nearest to their common border are neighbours then, however long it is.
     std::optional<unsigned> axis_beside(const SheetCell& a, const SheetCell& b) const {
+        const double narrow = neighbourhood() / 5; // two such strips are proved to be neighbours
         std::optional<unsigned> axis;
         any_shift([&](const Vec2& shift) {
             const Box2 moved{b.box().lower + shift, b.box().upper + shift};
@@ -96,7 +97,7 @@ private:
                 std::max(moved.lower.x - a.box().upper.x, a.box().lower.x - moved.upper.x),
                 std::max(moved.lower.y - a.box().upper.y, a.box().lower.y - moved.upper.y));
             for (const unsigned k : {0U, 1U})
-                if (gap[k] > -1e-9 && gap[k] <= neighbourhood() && gap[1 - k] < -1e-9) axis = k;
+                if (gap[k] > -1e-9 && gap[k] <= narrow && gap[1 - k] < -1e-9) axis = k;
             return axis.has_value();
         });
         // Strips that end in a tip are neighbours about it alone, and narrower ones prove no more.
@@ -106,7 +107,6 @@ private:
             });
         };
         if (axis && (reaches_tip(a) || reaches_tip(b))) return std::nullopt;
-        const double narrow = neighbourhood() / 8;
         if (axis && std::max(a.box().extent()[*axis], b.box().extent()[*axis]) <= narrow)
             return std::nullopt;
         return axis;

@@ -29,12 +29,14 @@ public:
     double least() const;
     /// No tangent is longer.
     double most() const { return most_; }
-    /// A vector among them.
+    /// Mean of the vectors.
     Vec3 middle() const;
-    /// The largest length of a tangent less the middle one.
-    double deviation() const;
+    /// The tangents less `share` of others, those of the same parts.
+    TangentHull sheared(const TangentHull& other, double share) const;
 
 private:
+    void add(const Vec3& tangent);
+
     std::vector<Vec3> tangents_;
     Vec3 axis_{0};
     double most_ = 0;
@@ -53,11 +55,15 @@ void TangentHull::add(const BezierPatchView& piece, bool along_s, double extent)
         for (int j = 0; j <= weight.degree_v(); ++j) {
             const Vec3 tangent =
                 Vec3(n[0].at(i, j), n[1].at(i, j), n[2].at(i, j)) / (weight.at(i, j) * extent);
-            const double length = tangent.length();
-            tangents_.push_back(tangent);
-            most_ = std::max(most_, length);
-            if (length > 0) axis_ += tangent / length;
+            add(tangent);
         }
+}
+
+void TangentHull::add(const Vec3& tangent) {
+    const double length = tangent.length();
+    tangents_.push_back(tangent);
+    most_ = std::max(most_, length);
+    if (length > 0) axis_ += tangent / length;
 }
 
 double TangentHull::spread() const {
@@ -82,21 +88,11 @@ Vec3 TangentHull::middle() const {
     return sum / static_cast<double>(tangents_.size());
 }
 
-double TangentHull::deviation() const {
-    const Vec3 from = middle();
-    double most = 0;
-    for (const Vec3& tangent : tangents_) most = std::max(most, (tangent - from).length());
-    return most;
-}
-
-/// Bound of the ratio of the way between two places to their distance, of a piece that is nearly
-/// affine, however askew; infinite if it is not.
-double longest_affine_detour(const TangentHull& along_s, const TangentHull& along_t) {
-    const Vec3 m = along_s.middle(), n = along_t.middle();
-    const double area = m.cross(n).length();
-    if (!(area > 0)) return infinity;
-    const double off = (along_s.deviation() * n.length() + along_t.deviation() * m.length()) / area;
-    return off < 1 ? (1 + off) / (1 - off) : infinity;
+TangentHull TangentHull::sheared(const TangentHull& other, double share) const {
+    TangentHull hull;
+    for (std::size_t i = 0; i < tangents_.size(); ++i)
+        hull.add(tangents_[i] - other.tangents_[i] * share);
+    return hull;
 }
 
 /// Bound of the ratio of the way between two places to their distance; infinite if the tangents
@@ -109,6 +105,14 @@ double longest_detour(const TangentHull& along_s, const TangentHull& along_t) {
     const double least_s = along_s.least(), least_t = along_t.least();
     if (!(apart > 0 && least_s > 0 && least_t > 0)) return infinity;
     return (along_s.most() / least_s + along_t.most() / least_t) / std::sin(apart);
+}
+
+/// The tangents along s less the share of those along t that leaves them square to these in the
+/// mean. The parameters are sheared by it, and straight lines remain straight.
+TangentHull squared(const TangentHull& along_s, const TangentHull& along_t) {
+    const Vec3 along = along_t.middle();
+    return along_s.sheared(along_t,
+                           along_s.middle().dot(along) / std::max(along.length2(), 1e-300));
 }
 
 /// Bound of the way between two places less than `least` mm apart, of a strip `width` mm wide. They
@@ -130,10 +134,13 @@ bool near_places_are_neighbours(std::span<const FaceSheet::Part> parts, const Ve
         along_s.add(piece, true, part.extent.x);
         along_t.add(piece, false, part.extent.y);
     }
-    return longest_detour(along_s, along_t) * least <= longest ||
-           longest_affine_detour(along_s, along_t) * least <= longest ||
-           longest_way_in_strip(along_s, along_t.most() * extent.y, least) <= longest ||
-           longest_way_in_strip(along_t, along_s.most() * extent.x, least) <= longest;
+    const auto are_neighbours = [&](const TangentHull& s, const TangentHull& t) {
+        return longest_detour(s, t) * least <= longest ||
+               longest_way_in_strip(s, t.most() * extent.y, least) <= longest ||
+               longest_way_in_strip(t, s.most() * extent.x, least) <= longest;
+    };
+    return are_neighbours(along_s, along_t) || are_neighbours(squared(along_s, along_t), along_t) ||
+           are_neighbours(along_s, squared(along_t, along_s));
 }
 
 } // namespace keiko
