@@ -5,11 +5,14 @@ usage: tests/bench/view.py KEIKO [SCENE...] [--size WxH] [--rounds N]
 
 start: from the command to the address, and to the first rows of the first view. deep: a whole answer to
 POST /deep in one message, and the first of four interlaced ones and all of them. draft: half the size.
-Each is the median of N requests on one connection, in ms; MB is the size of the whole answer.
+Each is the median of N requests on one connection, in ms; MB is the size of the whole answer. The last
+number is the server's processor time a request, which other work on the machine leaves as it is: on two
+free cores an answer takes little more than half of it.
 """
 import argparse
 import http.client
 import json
+import os
 import statistics
 import subprocess
 import time
@@ -33,6 +36,11 @@ def timed(connection, token: str, body: str):
     return 1e3 * (at_first - begin), 1e3 * (end - begin), HEADER + len(first) + len(rest)
 
 
+def processor_ms(process) -> float:
+    fields = Path(f"/proc/{process.pid}/stat").read_text().rpartition(")")[2].split()
+    return 1e3 * (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
 def camera_of(connection, token: str) -> dict:
     connection.request("GET", "/scene", headers={"X-Keiko-Token": token})
     return json.loads(connection.getresponse().read())["camera"]
@@ -46,7 +54,7 @@ def request(camera: dict, width: int, height: int, interlaced: bool) -> str:
 def bench(keiko: str, scene: Path, width: int, height: int, rounds: int):
     begin = time.perf_counter()
     process = subprocess.Popen([keiko, "view", scene, "--no-browser", "--size", f"{width}x{height}"], text=True,
-                               stdout=subprocess.PIPE)
+                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
     try:
         place, _, token = process.stdout.readline().strip().partition("/#token=")
         address = time.perf_counter()
@@ -54,14 +62,17 @@ def bench(keiko: str, scene: Path, width: int, height: int, rounds: int):
         camera = camera_of(connection, token)
         timed(connection, token, request(camera, width, height, True))
         rows = time.perf_counter()
+        busy = processor_ms(process)
         print(f"{scene.name}: start {1e3 * (address - begin):.0f} ms to the address, "
-              f"{1e3 * (rows - begin):.0f} ms to all rows of the first view")
+              f"{1e3 * (rows - begin):.0f} ms to all rows of the first view, {busy:.0f} ms of processors")
         for name, w, h, interlaced in (("deep", width, height, False), ("interlaced", width, height, True),
                                        ("draft", width // 2, height // 2, False)):
+            before = processor_ms(process)
             times = [timed(connection, token, request(camera, w, h, interlaced)) for _ in range(rounds)]
+            busy = (processor_ms(process) - before) / rounds
             first, whole = (statistics.median(t[i] for t in times) for i in (0, 1))
             print(f"  {name:11} {w} x {h}: first message {first:6.1f} ms, all {whole:6.1f} ms, "
-                  f"{times[0][2] / 1e6:.2f} MB")
+                  f"{times[0][2] / 1e6:.2f} MB, {busy:.0f} ms of processors")
     finally:
         process.terminate()
         process.wait()

@@ -203,8 +203,7 @@ void main() {
   vec2 corner = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1);
   gl_Position = vec4(corner, 0, 1);
 }`;
-var declarations = `#version 300 es
-precision highp float;
+var declarations = `precision highp float;
 precision highp int;
 precision highp sampler2D;
 precision highp usampler2D;
@@ -214,17 +213,13 @@ struct Plane {
   int lamps;
   bool round;
 };
-uniform Plane planes[${mostPlanes}];
-uniform int plane_count;
+uniform Plane planes[PLANES + 1];
 uniform vec3 eye, right, up, forward;
 uniform bool is_parallel;
 uniform float pixel_size;
 uniform ivec2 size;
 uniform int row_step, stride;
-uniform bool is_hurried; // pixels whose image is bent are not divided
-uniform int look; // 0 lamps, 1 zebra, 2 mean curvature
 uniform float white, full_curvature, min_weight;
-uniform int reflections;
 uniform vec3 background, ambient;
 uniform sampler2D samples, bounces, materials;
 uniform usampler2D first_bounce, material_of_face;
@@ -288,32 +283,38 @@ Ray reflected(Ray ray, Surface s) {
 }
 `;
 var lamps = `
-/// Integral of the pixel's filter, the convolution of two boxes, from its centre to x.
-float below(float x, float wide, float narrow) {
-  float reach = 0.5 * (wide + narrow), away = abs(x), rest = reach - away;
-  float inside = away <= reach - narrow ? away / wide : 0.5 - rest * rest / (2.0 * wide * narrow);
-  return sign(x) * (away >= reach ? 0.5 : inside);
+/// A pixel's image along one axis: the convolution of two boxes, a trapezoid of unit area.
+struct Filter { float wide, narrow, reach, per_wide, per_both; };
+
+Filter filter_of(float by_x, float by_y) {
+  const float least = 1e-6; // mm: nearly a point
+  float wide = max(max(abs(by_x), abs(by_y)), least), narrow = max(min(abs(by_x), abs(by_y)), least);
+  return Filter(wide, narrow, 0.5 * (wide + narrow), 1.0 / wide, 0.5 / (wide * narrow));
 }
-float share(float begin, float end, float wide, float narrow) {
-  return begin < end ? below(end, wide, narrow) - below(begin, wide, narrow) : 0.0;
+/// Integral from the centre to x.
+float below(Filter f, float x) {
+  float away = abs(x), rest = f.reach - away;
+  float inside = away <= f.reach - f.narrow ? away * f.per_wide : 0.5 - rest * rest * f.per_both;
+  return sign(x) * (away >= f.reach ? 0.5 : inside);
+}
+float share(Filter f, float begin, float end) {
+  return max(below(f, end) - below(f, begin), 0.0);
 }
 
-/// Share of a pixel's image that falls on the row's strips of a width, by rising v.
-float strips(Plane p, float width, float v, float wide, float narrow) {
-  float last = p.first + float(p.lamps - 1) * p.pitch, half_width = 0.5 * width;
-  if (wide > 4.0 * p.pitch) {
-    float beyond = 0.5 * max(p.pitch, width);
-    return min(width / p.pitch, 1.0) * share(p.first - beyond - v, last + beyond - v, wide, narrow);
-  }
-  if (width >= p.pitch) return share(p.first - half_width - v, last + half_width - v, wide, narrow);
-  float reach = 0.5 * (wide + narrow) + half_width, away = v - p.first, sum = 0.0;
-  float begin = max(ceil((away - reach) / p.pitch), 0.0);
-  float end = min(floor((away + reach) / p.pitch), float(p.lamps - 1));
+/// Share of a pixel's image around v that falls on the row's strips of a width.
+float strips(Plane p, float width, float v, Filter f) {
+  float last = p.first + float(p.lamps - 1) * p.pitch, half_width = 0.5 * width, away = v - p.first, sum = 0.0;
+  bool is_resolved = f.wide <= 4.0 * p.pitch, is_apart = is_resolved && width < p.pitch;
+  // Stripes that are too fine are a grey band; tubes that overlap are one strip.
+  float beyond = is_resolved ? half_width : 0.5 * max(p.pitch, width);
+  float band = share(f, p.first - beyond - v, last + beyond - v) * (is_resolved ? 1.0 : min(width / p.pitch, 1.0));
+  float reach = f.reach + half_width, begin = max(ceil((away - reach) / p.pitch), 0.0);
+  float end = is_apart ? min(floor((away + reach) / p.pitch), float(p.lamps - 1)) : -1.0;
   for (float lamp = begin; lamp <= end; lamp += 1.0) {
-    float at = lamp * p.pitch + p.first - v;
-    sum += share(at - half_width, at + half_width, wide, narrow);
+    float at = lamp * p.pitch - away;
+    sum += share(f, at - half_width, at + half_width);
   }
-  return sum;
+  return is_apart ? sum : band;
 }
 
 /// t where a ray meets a plane; 0 or less if it does not.
@@ -331,36 +332,10 @@ float coverage(Plane p, Ray ray, float t, bool is_point) {
   vec2 slope = d.xy / d.z;
   vec2 x = vec2(dot(p.u, dx), dot(p.v, dx)) - slope * dot(p.normal, dx);
   vec2 y = vec2(dot(p.u, dy), dot(p.v, dy)) - slope * dot(p.normal, dy);
-  float least = 1e-6;
-  if (is_point) x = vec2(least), y = vec2(least);
-  vec2 wide = max(max(abs(x), abs(y)), least), narrow = min(abs(x), abs(y));
+  if (is_point) x = y = vec2(0);
   // At the ends of lamps the filter is taken for a product of both directions.
-  float along = share(-u, p.length - u, wide.x, narrow.x);
-  return along > 0.0 ? along * strips(p, width, v, wide.y, narrow.y) : 0.0;
-}
-
-/// Number of the plane that a ray meets next behind one at t, and its own t; -1 if none up to t_max.
-int next_plane(Ray ray, float t_max, int last, inout float t) {
-  int next = -1;
-  float nearest = t_max;
-  for (int i = 0; i < plane_count; ++i) {
-    float own = meeting(planes[i], ray);
-    bool follows = own > t || (own == t && i > last);
-    if (own > 0.0 && follows && (own < nearest || (next < 0 && own <= nearest))) nearest = own, next = i;
-  }
-  t = nearest;
-  return next;
-}
-
-/// Light of all rows along a ray up to t_max, and their opacity.
-vec4 rows(Ray ray, float t_max, bool is_point) {
-  vec4 seen = vec4(0);
-  float t = 0.0;
-  for (int i = next_plane(ray, t_max, -1, t); i >= 0; i = next_plane(ray, t_max, i, t)) {
-    float part = (1.0 - seen.a) * coverage(planes[i], ray, t, is_point);
-    seen += vec4(planes[i].luminance, 1) * part;
-  }
-  return seen;
+  float along = share(filter_of(x.x, y.x), -u, p.length - u);
+  return along * strips(p, width, v, filter_of(x.y, y.y));
 }
 `;
 var bends = `
@@ -406,6 +381,8 @@ float bend_of(Plane p, Cubic q, Ray ray, float t) {
   return bend / p.pitch;
 }
 
+`;
+var pixels = `
 Surface surface_at(ivec2 pixel) {
   return surface_of(texelFetch(samples, ivec2(2 * pixel.x, pixel.y), 0),
                     texelFetch(samples, ivec2(2 * pixel.x + 1, pixel.y), 0));
@@ -426,21 +403,20 @@ bool neighbours(ivec2 pixel, Surface s, vec3 place, out Ray mirrored) {
 /// Light of all rows in a pixel: of one whose image is bent, the mean over its parts.
 vec4 first_rows(ivec2 pixel, Surface s, Ray ray, bool is_point) {
   Ray before, after, above, beneath;
-  if (is_hurried || row_step > 1 || is_point || !neighbours(pixel - ivec2(1, 0), s, ray.origin, before) ||
-      !neighbours(pixel + ivec2(1, 0), s, ray.origin, after) ||
-      !neighbours(pixel - ivec2(0, 1), s, ray.origin, above) ||
-      !neighbours(pixel + ivec2(0, 1), s, ray.origin, beneath)) return rows(ray, s.way, is_point);
-  float t = 0.0;
-  int nearest = next_plane(ray, 1e30, -1, t);
-  if (nearest < 0) return vec4(0);
+  bool is_amid = row_step == 1 && !is_point && neighbours(pixel - ivec2(1, 0), s, ray.origin, before) &&
+    neighbours(pixel + ivec2(1, 0), s, ray.origin, after) && neighbours(pixel - ivec2(0, 1), s, ray.origin, above) &&
+    neighbours(pixel + ivec2(0, 1), s, ray.origin, beneath);
+  float straight = 0.01, parts = 1.0;
   Cubic q = cubic_of(ray, before, after, above, beneath);
-  float straight = 0.01, bend = bend_of(planes[nearest], q, ray, t);
-  if (!(bend > straight)) return rows(ray, s.way, false);
-  float parts = min(ceil(sqrt(bend / straight)), 8.0);
+  for (int todo = is_amid ? 1 : 0; todo > 0; --todo)
+    parts = clamp(ceil(sqrt(nearest_bend(q, ray) / straight)), 1.0, 8.0);
   vec4 sum = vec4(0);
   for (float y = 0.5; y < parts; y += 1.0)
-    for (float x = 0.5; x < parts; x += 1.0)
-      sum += rows(part_of(q, vec2(x, y) / parts - 0.5, 1.0 / parts), s.way, false);
+    for (float x = 0.5; x < parts; x += 1.0) {
+      Ray part = ray;
+      if (parts > 1.0) part = part_of(q, vec2(x, y) / parts - 0.5, 1.0 / parts);
+      sum += rows(part, s.way, is_point);
+    }
   return sum / (parts * parts);
 }
 `;
@@ -471,22 +447,27 @@ vec3 mirrored(float face, float c) {
 vec3 reflections_of(ivec2 pixel, Ray ray, Surface s) {
   uint chain = texelFetch(first_bounce, pixel, 0).r;
   int next = int(chain & 0xfffffffu), left = int(chain >> 28);
-  vec3 sum = vec3(0), weight = vec3(1);
-  for (int depth = 1; depth <= reflections; ++depth) {
-    weight *= mirrored(s.face, abs(dot(ray.direction, s.normal)));
-    if (max(weight.r, max(weight.g, weight.b)) < min_weight) break;
-    bool is_point = isnan(s.shape.x);
-    ray = reflected(ray, s);
-    vec4 seen = depth == 1 ? first_rows(pixel, s, ray, is_point) : rows(ray, s.way, is_point);
-    sum += weight * seen.rgb;
-    weight *= 1.0 - seen.a;
-    if (isinf(s.way)) return sum + weight * ambient;
-    if (left == 0) break;
+  vec3 weight = mirrored(s.face, abs(dot(ray.direction, s.normal)));
+  bool is_point = isnan(s.shape.x);
+  ray = reflected(ray, s);
+#ifdef HURRIED
+  vec4 seen = rows(ray, s.way, is_point);
+#else
+  vec4 seen = first_rows(pixel, s, ray, is_point);
+#endif
+  vec3 sum = weight * seen.rgb;
+  weight *= 1.0 - seen.a;
+  for (; left > 0; --left, ++next) {
     ivec2 at = ivec2(2 * (next % ${bouncesARow}), next / ${bouncesARow});
     s = surface_of(texelFetch(bounces, at, 0), texelFetch(bounces, at + ivec2(1, 0), 0));
-    ++next, --left;
+    weight *= mirrored(s.face, abs(dot(ray.direction, s.normal)));
+    ray = reflected(ray, s);
+    seen = rows(ray, s.way, isnan(s.shape.x));
+    sum += weight * seen.rgb;
+    weight *= 1.0 - seen.a;
+    if (max(weight.r, max(weight.g, weight.b)) < min_weight) break;
   }
-  return sum;
+  return sum + (isinf(s.way) ? weight * ambient : vec3(0));
 }
 
 float light_up_to(float phase) {
@@ -516,37 +497,83 @@ vec3 srgb(vec3 c) {
   return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
 }
 
+#if LOOK == 0
+vec4 pixel_color(ivec2 pixel, Surface s) {
+  vec3 light = reflections_of(pixel, camera_ray(vec2(pixel) + 0.5), s);
+  return vec4(white > 0.0 ? srgb(light / white) : light, 1);
+}
+#else
+vec4 pixel_color(ivec2 pixel, Surface s) {
+  Ray ray = camera_ray(vec2(pixel) + 0.5);
+  float shade = 0.55 - 0.45 * dot(ray.direction, s.normal), mean = 0.5 * (s.shape.x + s.shape.z);
+#if LOOK == 1
+  vec3 own = vec3(zebra(ray, s));
+#else
+  vec3 own = isnan(mean) ? vec3(0.07) : signed_color(mean / full_curvature);
+#endif
+  return vec4(own * shade, 1);
+}
+#endif
+
 void main() {
-  // With a stride, every so many-th pixel of the picture.
+  // With a stride, every stride-th pixel of the picture.
   ivec2 pixel = ivec2(gl_FragCoord.xy) * stride;
   pixel.y = size.y - 1 - pixel.y;
   // Rows that are not there yet are shown by the nearest above.
   pixel.y = pixel.y / row_step * row_step;
   Surface s = surface_at(pixel);
-  bool is_missed = isinf(s.t);
-  if (look == 0) {
-    vec3 light = background;
-    if (!is_missed) light = reflections_of(pixel, camera_ray(vec2(pixel) + 0.5), s);
-    color = vec4(white > 0.0 ? srgb(light / white) : light, is_missed ? 0 : 1);
-    if (white > 0.0) color.a = 1.0;
-    return;
-  }
+#if LOOK == 0
+  color = white > 0.0 ? vec4(srgb(background / white), 1) : vec4(background, 0);
+#else
   color = vec4(vec3(0.07), 1);
-  if (is_missed) return;
-  Ray ray = camera_ray(vec2(pixel) + 0.5);
-  float shade = 0.55 - 0.45 * dot(ray.direction, s.normal);
-  float mean = 0.5 * (s.shape.x + s.shape.z);
-  vec3 own = look == 1 ? vec3(zebra(ray, s)) : isnan(mean) ? vec3(0.07) : signed_color(mean / full_curvature);
-  color = vec4(own * shade, 1);
+#endif
+  for (int todo = isinf(s.t) ? 0 : 1; todo > 0; --todo) color = pixel_color(pixel, s);
 }`;
-var fragmentShader = declarations + surfaces + lamps + bends + looks;
+var numbersTo = (count) => Array.from({ length: count }, (_, i) => i);
+function rowsFunction(count) {
+  const all = numbersTo(count);
+  const covered = all.map((i) => `
+  float t${i} = meeting(planes[${i}], ray), c${i} = 0.0;
+  for (int todo = t${i} > 0.0 && t${i} <= t_max ? 1 : 0; todo > 0; --todo) c${i} = coverage(planes[${i}], ray, t${i}, is_point);`);
+  const before = (i) => all.filter((j) => j !== i).map((j) => ` * (t${j} ${j < i ? "<=" : "<"} t${i} ? 1.0 - c${j} : 1.0)`).join("");
+  const seen = all.map((i) => `
+  seen += vec4(planes[${i}].luminance, 1) * (c${i}${before(i)});`);
+  return `
+/// Light of all rows along a ray up to t_max, and their opacity.
+vec4 rows(Ray ray, float t_max, bool is_point) {
+  vec4 seen = vec4(0);${covered.join("")}${seen.join("")}
+  return seen;
+}
+`;
+}
+function bendFunction(count) {
+  const bent = numbersTo(count).map((i) => `
+  t = meeting(planes[${i}], ray);
+  for (int todo = t > 0.0 && t < nearest ? 1 : 0; todo > 0; --todo) nearest = t, bend = bend_of(planes[${i}], q, ray, t);`);
+  return `
+/// Bend of the image on the nearest plane that the ray meets.
+float nearest_bend(Cubic q, Ray ray) {
+  float nearest = 1e30, bend = 0.0, t = 0.0;${bent.join("")}
+  return bend;
+}
+`;
+}
+function fragmentShader(look, isHurried, planes) {
+  const chosen = `#version 300 es
+#define LOOK ${look}
+#define PLANES ${planes}
+${isHurried ? "#define HURRIED\n" : ""}`;
+  return chosen + declarations + surfaces + lamps + rowsFunction(planes) + bends + bendFunction(planes) + pixels + looks;
+}
 
 // source/picture.ts
 var looks2 = ["lamps", "zebra", "curvature"];
+var textureNames = ["samples", "bounces", "materials", "first_bounce", "material_of_face"];
 var Picture = class {
   constructor(canvas, facts2) {
     this.canvas = canvas;
-    this.places = /* @__PURE__ */ new Map();
+    this.facts = facts2;
+    this.programs = /* @__PURE__ */ new Map();
     this.textures = {};
     this.samples = new Float32Array(0);
     this.chains = new Uint32Array(0);
@@ -558,16 +585,14 @@ var Picture = class {
     if (!gl) throw new Error("this browser has no WebGL 2");
     this.gl = gl;
     gl.getExtension("EXT_color_buffer_float");
-    this.program = this.compiled();
-    gl.useProgram(this.program);
-    ["samples", "bounces", "materials", "first_bounce", "material_of_face"].forEach((name, unit2) => {
+    textureNames.forEach((name, unit2) => {
       this.textures[name] = gl.createTexture();
       gl.activeTexture(gl.TEXTURE0 + unit2);
       gl.bindTexture(gl.TEXTURE_2D, this.textures[name]);
       for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
-      gl.uniform1i(this.place(name), unit2);
     });
     this.setMaterials(facts2);
+    this.program = this.use("lamps", false, 0);
   }
   /** Takes the first pass of a camera's picture, or one that refines it. */
   add(pass, camera, isFirst) {
@@ -582,37 +607,51 @@ var Picture = class {
     this.addBounces(pass);
     this.rowStep = pass.first === 0 ? pass.step : Math.min(this.rowStep, pass.first);
   }
-  /** Draws the buffer in hand, or every so many-th pixel of it; false without one. */
+  /** Draws the buffer in hand, or every stride-th pixel of it; false without one. */
   draw(display, stride = 1) {
     const { gl, camera } = this;
     if (!camera) return false;
     gl.viewport(0, 0, Math.ceil(camera.width / stride), Math.ceil(camera.height / stride));
+    this.program = this.use(display.look, display.isHurried, display.planes.length);
     gl.uniform1i(this.place("stride"), stride);
     this.setCamera(camera);
     this.setDisplay(display);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
     return true;
   }
-  /** Luminance, cd/m2, that 1 % of the body's picture exceeds, by every so many-th pixel: white in a still. */
+  /** Draws every stride-th pixel of the buffer, each as a square: for machines that are slow. */
+  drawCoarsely(display, stride) {
+    const { gl, camera } = this;
+    if (!camera) return;
+    const width = Math.ceil(camera.width / stride), height = Math.ceil(camera.height / stride);
+    this.onTexture(gl.RGBA8, width, height, () => {
+      this.draw(display, stride);
+      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+      gl.blitFramebuffer(0, 0, width, height, 0, 0, width * stride, height * stride, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    });
+  }
+  /** Compiles what a display needs before it is in a hurry. */
+  prepare(display) {
+    this.onTexture(this.gl.RGBA8, 1, 1, () => this.draw(display, this.camera?.width ?? 1));
+  }
+  /** Waits until the canvas is drawn. */
+  finish() {
+    const { gl } = this;
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+  /** Luminance, cd/m2, that 1 % of the body's picture exceeds, by every stride-th pixel: white in a still. */
   whiteOf(display, stride) {
     const { gl, camera } = this;
     if (!camera) return 1;
     const width = Math.ceil(camera.width / stride), height = Math.ceil(camera.height / stride);
-    const target = gl.createFramebuffer(), texture = gl.createTexture();
-    gl.activeTexture(gl.TEXTURE8);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, width, height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    this.draw({ ...display, look: "lamps", white: 0 }, stride);
-    const pixels = new Float32Array(4 * width * height);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.deleteFramebuffer(target);
-    gl.deleteTexture(texture);
+    const pixels2 = new Float32Array(4 * width * height);
+    this.onTexture(gl.RGBA32F, width, height, () => {
+      this.draw({ ...display, look: "lamps", white: 0 }, stride);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels2);
+    });
     const seen = [];
-    for (let i = 0; i < pixels.length; i += 4)
-      if (pixels[i + 3] > 0) seen.push(0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2]);
+    for (let i = 0; i < pixels2.length; i += 4)
+      if (pixels2[i + 3] > 0) seen.push(0.2126 * pixels2[i] + 0.7152 * pixels2[i + 1] + 0.0722 * pixels2[i + 2]);
     return quantile(seen, 0.99) || 1;
   }
   /** The round curvature, 1/mm, that 2 % of the body's picture exceed. */
@@ -636,6 +675,19 @@ var Picture = class {
     const normal = unit([isLower ? fold(p, q) : p, isLower ? fold(q, p) : q, 1 - Math.abs(p) - Math.abs(q)]);
     const mean = (xx + yy) / 2, spread = Math.hypot((xx - yy) / 2, xy);
     return { t, normal, radii: [1 / (mean + spread), 1 / (mean - spread)], face };
+  }
+  /** Lets work be done on a texture in place of the canvas. */
+  onTexture(format, width, height, work) {
+    const { gl } = this, target = gl.createFramebuffer(), texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE8);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    work();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.deleteFramebuffer(target);
+    gl.deleteTexture(texture);
   }
   begin(camera) {
     const { gl } = this, { width, height } = camera;
@@ -696,8 +748,12 @@ var Picture = class {
     });
     this.bind("material_of_face");
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, facesARow, rows, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, numbers);
+  }
+  /** Numbers of the scene, which a program needs once. */
+  setScene(facts2) {
+    const { gl } = this;
+    textureNames.forEach((name, unit2) => gl.uniform1i(this.place(name), unit2));
     gl.uniform1i(this.place("ground_material"), facts2.ground?.material ?? 0);
-    gl.uniform1i(this.place("reflections"), facts2.reflections);
     gl.uniform1f(this.place("min_weight"), facts2.min_weight);
     gl.uniform3fv(this.place("background"), facts2.background);
     gl.uniform3fv(this.place("ambient"), scaled(facts2.rig.ambient, 1 / Math.PI));
@@ -713,11 +769,8 @@ var Picture = class {
   }
   setDisplay(display) {
     const { gl } = this, planes = display.planes.slice(0, mostPlanes);
-    gl.uniform1i(this.place("look"), looks2.indexOf(display.look));
     gl.uniform1f(this.place("white"), display.white);
     gl.uniform1f(this.place("full_curvature"), display.fullCurvature);
-    gl.uniform1i(this.place("is_hurried"), Number(display.isHurried));
-    gl.uniform1i(this.place("plane_count"), planes.length);
     planes.forEach((plane, i) => this.setPlane(`planes[${i}]`, plane));
   }
   setPlane(name, plane) {
@@ -737,27 +790,40 @@ var Picture = class {
   }
   bind(texture) {
     const { gl } = this;
-    gl.activeTexture(gl.TEXTURE0 + Object.keys(this.textures).indexOf(texture));
+    gl.activeTexture(gl.TEXTURE0 + textureNames.indexOf(texture));
     gl.bindTexture(gl.TEXTURE_2D, this.textures[texture]);
   }
   place(uniform) {
-    if (!this.places.has(uniform)) this.places.set(uniform, this.gl.getUniformLocation(this.program, uniform));
-    return this.places.get(uniform);
+    const { linked: linked2, places } = this.program;
+    if (!places.has(uniform)) places.set(uniform, this.gl.getUniformLocation(linked2, uniform));
+    return places.get(uniform);
   }
-  compiled() {
-    const { gl } = this, program = gl.createProgram();
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "");
-      gl.attachShader(program, shader);
-    }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "");
+  /** The program of a look, ready to be set; only lamps know of a hurry. */
+  use(look, isHurried, planes) {
+    const number = looks2.indexOf(look), lamps2 = number === 0 ? Math.min(planes, mostPlanes) : 0;
+    const hurries = number === 0 && isHurried, key = `${look} ${hurries} ${lamps2}`;
+    const known = this.programs.get(key);
+    const program = known ?? { linked: linked(this.gl, fragmentShader(number, hurries, lamps2)), places: /* @__PURE__ */ new Map() };
+    this.programs.set(key, program);
+    this.program = program;
+    this.gl.useProgram(program.linked);
+    if (!known) this.setScene(this.facts);
     return program;
   }
 };
+function linked(gl, fragment) {
+  const program = gl.createProgram();
+  for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragment]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "");
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "");
+  return program;
+}
 function quantile(values, share) {
   const sorted = Float64Array.from(values).sort();
   return sorted[Math.round(share * (sorted.length - 1))] ?? 0;
@@ -858,6 +924,8 @@ var Viewer = class {
     this.exact = new AbortController();
     this.timer = 0;
     this.frame = 0;
+    this.stride = 1;
+    // of the frames of a drag
     this.drag = null;
     this.camera = facts2.camera;
     this.planes = facts2.rig.planes;
@@ -888,12 +956,13 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
       });
       if (!isDraft) this.measure(1);
       this.paint();
+      if (!isDraft && this.look === "lamps") this.picture.prepare({ ...this.display(), isHurried: true });
       this.tell(`${isDraft ? "draft" : "surfaces"} in ${(performance.now() - began).toFixed(0)} ms`);
     } catch (error) {
       if (!own.signal.aborted) this.fail(error);
     }
   }
-  /** White or the scale of curvature, by every so many-th pixel. */
+  /** White or the scale of curvature, by every stride-th pixel. */
   measure(stride) {
     if (this.look === "curvature") this.fullCurvature = this.picture.usualCurvature();
     if (this.look === "lamps") this.white = this.picture.whiteOf(this.display(), stride);
@@ -909,7 +978,19 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
   }
   paint() {
     cancelAnimationFrame(this.frame);
-    this.frame = requestAnimationFrame(() => this.picture.draw(this.display()));
+    this.frame = requestAnimationFrame(() => this.drawFrame());
+  }
+  /** Draws a frame; of a drag every second or fourth pixel where frames take long. */
+  drawFrame() {
+    const slow = 60, fast = 12, coarsest = 4;
+    const display = this.display(), began = performance.now();
+    if (!display.isHurried || this.stride === 1) this.picture.draw(display);
+    else this.picture.drawCoarsely(display, this.stride);
+    if (!display.isHurried) return;
+    this.picture.finish();
+    const taken = performance.now() - began;
+    if (taken > slow) this.stride = Math.min(coarsest, 2 * this.stride);
+    if (taken < fast) this.stride = Math.max(1, this.stride / 2);
   }
   /** Something has moved: the exact picture is out of date, and follows at rest. */
   changed(isEye, isOver) {

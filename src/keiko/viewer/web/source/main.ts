@@ -24,6 +24,7 @@ class Viewer {
   private exact = new AbortController();
   private timer = 0;
   private frame = 0;
+  private stride = 1; // of the frames of a drag
   private drag: { x: number; y: number; movesLamps: boolean; pans: boolean; moved: boolean } | null = null;
 
   constructor(private readonly facts: Facts) {
@@ -56,13 +57,14 @@ class Viewer {
       });
       if (!isDraft) this.measure(1);
       this.paint();
+      if (!isDraft && this.look === "lamps") this.picture.prepare({ ...this.display(), isHurried: true });
       this.tell(`${isDraft ? "draft" : "surfaces"} in ${(performance.now() - began).toFixed(0)} ms`);
     } catch (error) {
       if (!own.signal.aborted) this.fail(error);
     }
   }
 
-  /** White or the scale of curvature, by every so many-th pixel. */
+  /** White or the scale of curvature, by every stride-th pixel. */
   private measure(stride: number): void {
     if (this.look === "curvature") this.fullCurvature = this.picture.usualCurvature();
     if (this.look === "lamps") this.white = this.picture.whiteOf(this.display(), stride);
@@ -77,7 +79,20 @@ class Viewer {
 
   private paint(): void {
     cancelAnimationFrame(this.frame);
-    this.frame = requestAnimationFrame(() => this.picture.draw(this.display()));
+    this.frame = requestAnimationFrame(() => this.drawFrame());
+  }
+
+  /** Draws a frame; of a drag every second or fourth pixel where frames take long. */
+  private drawFrame(): void {
+    const slow = 60, fast = 12, coarsest = 4; // ms; ms; pixels
+    const display = this.display(), began = performance.now();
+    if (!display.isHurried || this.stride === 1) this.picture.draw(display);
+    else this.picture.drawCoarsely(display, this.stride);
+    if (!display.isHurried) return;
+    this.picture.finish();
+    const taken = performance.now() - began;
+    if (taken > slow) this.stride = Math.min(coarsest, 2 * this.stride);
+    if (taken < fast) this.stride = Math.max(1, this.stride / 2);
   }
 
   /** Something has moved: the exact picture is out of date, and follows at rest. */

@@ -19,11 +19,16 @@ export interface Display {
 /** A surface at a pixel's centre. */
 export interface Picked { t: number; normal: Vector; radii: [number, number]; face: number }
 
+/** A shader program, and the places of its uniforms. */
+interface Program { linked: WebGLProgram; places: Map<string, WebGLUniformLocation | null> }
+
+const textureNames = ["samples", "bounces", "materials", "first_bounce", "material_of_face"];
+
 /** Draws a deep buffer by one triangle over the canvas. */
 export class Picture {
   private readonly gl: WebGL2RenderingContext;
-  private readonly program: WebGLProgram;
-  private readonly places = new Map<string, WebGLUniformLocation | null>();
+  private readonly programs = new Map<string, Program>();
+  private program: Program;
   private readonly textures: Record<string, WebGLTexture> = {};
   private samples = new Float32Array(0);
   private chains = new Uint32Array(0);
@@ -32,21 +37,19 @@ export class Picture {
   private rowStep = 1;
   private camera: Camera | null = null;
 
-  constructor(private readonly canvas: HTMLCanvasElement, facts: Facts) {
+  constructor(private readonly canvas: HTMLCanvasElement, private readonly facts: Facts) {
     const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
     if (!gl) throw new Error("this browser has no WebGL 2");
     this.gl = gl;
     gl.getExtension("EXT_color_buffer_float");
-    this.program = this.compiled();
-    gl.useProgram(this.program);
-    ["samples", "bounces", "materials", "first_bounce", "material_of_face"].forEach((name, unit) => {
+    textureNames.forEach((name, unit) => {
       this.textures[name] = gl.createTexture()!;
       gl.activeTexture(gl.TEXTURE0 + unit);
       gl.bindTexture(gl.TEXTURE_2D, this.textures[name]);
       for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
-      gl.uniform1i(this.place(name), unit);
     });
     this.setMaterials(facts);
+    this.program = this.use("lamps", false, 0);
   }
 
   /** Takes the first pass of a camera's picture, or one that refines it. */
@@ -63,11 +66,12 @@ export class Picture {
     this.rowStep = pass.first === 0 ? pass.step : Math.min(this.rowStep, pass.first);
   }
 
-  /** Draws the buffer in hand, or every so many-th pixel of it; false without one. */
+  /** Draws the buffer in hand, or every stride-th pixel of it; false without one. */
   draw(display: Display, stride = 1): boolean {
     const { gl, camera } = this;
     if (!camera) return false;
     gl.viewport(0, 0, Math.ceil(camera.width / stride), Math.ceil(camera.height / stride));
+    this.program = this.use(display.look, display.isHurried, display.planes.length);
     gl.uniform1i(this.place("stride"), stride);
     this.setCamera(camera);
     this.setDisplay(display);
@@ -75,23 +79,39 @@ export class Picture {
     return true;
   }
 
-  /** Luminance, cd/m2, that 1 % of the body's picture exceeds, by every so many-th pixel: white in a still. */
+  /** Draws every stride-th pixel of the buffer, each as a square: for machines that are slow. */
+  drawCoarsely(display: Display, stride: number): void {
+    const { gl, camera } = this;
+    if (!camera) return;
+    const width = Math.ceil(camera.width / stride), height = Math.ceil(camera.height / stride);
+    this.onTexture(gl.RGBA8, width, height, () => {
+      this.draw(display, stride);
+      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
+      gl.blitFramebuffer(0, 0, width, height, 0, 0, width * stride, height * stride, gl.COLOR_BUFFER_BIT, gl.NEAREST);
+    });
+  }
+
+  /** Compiles what a display needs before it is in a hurry. */
+  prepare(display: Display): void {
+    this.onTexture(this.gl.RGBA8, 1, 1, () => this.draw(display, this.camera?.width ?? 1));
+  }
+
+  /** Waits until the canvas is drawn. */
+  finish(): void {
+    const { gl } = this;
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
+  }
+
+  /** Luminance, cd/m2, that 1 % of the body's picture exceeds, by every stride-th pixel: white in a still. */
   whiteOf(display: Display, stride: number): number {
     const { gl, camera } = this;
     if (!camera) return 1;
     const width = Math.ceil(camera.width / stride), height = Math.ceil(camera.height / stride);
-    const target = gl.createFramebuffer(), texture = gl.createTexture();
-    gl.activeTexture(gl.TEXTURE8);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, width, height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    this.draw({ ...display, look: "lamps", white: 0 }, stride);
     const pixels = new Float32Array(4 * width * height);
-    gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.deleteFramebuffer(target);
-    gl.deleteTexture(texture);
+    this.onTexture(gl.RGBA32F, width, height, () => {
+      this.draw({ ...display, look: "lamps", white: 0 }, stride);
+      gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels);
+    });
     const seen: number[] = [];
     for (let i = 0; i < pixels.length; i += 4)
       if (pixels[i + 3] > 0) seen.push(0.2126 * pixels[i] + 0.7152 * pixels[i + 1] + 0.0722 * pixels[i + 2]);
@@ -120,6 +140,20 @@ export class Picture {
     const normal = unit([isLower ? fold(p, q) : p, isLower ? fold(q, p) : q, 1 - Math.abs(p) - Math.abs(q)]);
     const mean = (xx + yy) / 2, spread = Math.hypot((xx - yy) / 2, xy);
     return { t, normal, radii: [1 / (mean + spread), 1 / (mean - spread)], face };
+  }
+
+  /** Lets work be done on a texture in place of the canvas. */
+  private onTexture(format: number, width: number, height: number, work: () => void): void {
+    const { gl } = this, target = gl.createFramebuffer(), texture = gl.createTexture();
+    gl.activeTexture(gl.TEXTURE8);
+    gl.bindTexture(gl.TEXTURE_2D, texture);
+    gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
+    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
+    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
+    work();
+    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+    gl.deleteFramebuffer(target);
+    gl.deleteTexture(texture);
   }
 
   private begin(camera: Camera): void {
@@ -173,8 +207,13 @@ export class Picture {
     facts.faces.forEach((face, i) => { numbers[i] = face.material; });
     this.bind("material_of_face");
     gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, facesARow, rows, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, numbers);
+  }
+
+  /** Numbers of the scene, which a program needs once. */
+  private setScene(facts: Facts): void {
+    const { gl } = this;
+    textureNames.forEach((name, unit) => gl.uniform1i(this.place(name), unit));
     gl.uniform1i(this.place("ground_material"), facts.ground?.material ?? 0);
-    gl.uniform1i(this.place("reflections"), facts.reflections);
     gl.uniform1f(this.place("min_weight"), facts.min_weight);
     gl.uniform3fv(this.place("background"), facts.background);
     gl.uniform3fv(this.place("ambient"), scaled(facts.rig.ambient, 1 / Math.PI));
@@ -192,11 +231,8 @@ export class Picture {
 
   private setDisplay(display: Display): void {
     const { gl } = this, planes = display.planes.slice(0, mostPlanes);
-    gl.uniform1i(this.place("look"), looks.indexOf(display.look));
     gl.uniform1f(this.place("white"), display.white);
     gl.uniform1f(this.place("full_curvature"), display.fullCurvature);
-    gl.uniform1i(this.place("is_hurried"), Number(display.isHurried));
-    gl.uniform1i(this.place("plane_count"), planes.length);
     planes.forEach((plane, i) => this.setPlane(`planes[${i}]`, plane));
   }
 
@@ -216,28 +252,42 @@ export class Picture {
 
   private bind(texture: string): void {
     const { gl } = this;
-    gl.activeTexture(gl.TEXTURE0 + Object.keys(this.textures).indexOf(texture));
+    gl.activeTexture(gl.TEXTURE0 + textureNames.indexOf(texture));
     gl.bindTexture(gl.TEXTURE_2D, this.textures[texture]);
   }
 
   private place(uniform: string): WebGLUniformLocation | null {
-    if (!this.places.has(uniform)) this.places.set(uniform, this.gl.getUniformLocation(this.program, uniform));
-    return this.places.get(uniform)!;
+    const { linked, places } = this.program;
+    if (!places.has(uniform)) places.set(uniform, this.gl.getUniformLocation(linked, uniform));
+    return places.get(uniform)!;
   }
 
-  private compiled(): WebGLProgram {
-    const { gl } = this, program = gl.createProgram()!;
-    for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragmentShader]] as const) {
-      const shader = gl.createShader(kind)!;
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "");
-      gl.attachShader(program, shader);
-    }
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "");
+  /** The program of a look, ready to be set; only lamps know of a hurry. */
+  private use(look: Look, isHurried: boolean, planes: number): Program {
+    const number = looks.indexOf(look), lamps = number === 0 ? Math.min(planes, mostPlanes) : 0;
+    const hurries = number === 0 && isHurried, key = `${look} ${hurries} ${lamps}`;
+    const known = this.programs.get(key);
+    const program = known ?? { linked: linked(this.gl, fragmentShader(number, hurries, lamps)), places: new Map() };
+    this.programs.set(key, program);
+    this.program = program;
+    this.gl.useProgram(program.linked);
+    if (!known) this.setScene(this.facts);
     return program;
   }
+}
+
+function linked(gl: WebGL2RenderingContext, fragment: string): WebGLProgram {
+  const program = gl.createProgram()!;
+  for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragment]] as const) {
+    const shader = gl.createShader(kind)!;
+    gl.shaderSource(shader, text);
+    gl.compileShader(shader);
+    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "");
+    gl.attachShader(program, shader);
+  }
+  gl.linkProgram(program);
+  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "");
+  return program;
 }
 
 /** The value that a share of the values does not exceed; 0 without any. */
