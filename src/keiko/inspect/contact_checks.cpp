@@ -52,9 +52,14 @@ Check check_of_contact(const SelfContact& contact, double limit, const Vec3& pla
 }
 
 Check check_of_crossing(const LoopCrossing& crossing, double limit) {
-    const MeasuredValue worst{crossing.length, 0, limit, crossing.place, Verdict::fail, false};
+    MeasuredValue worst{crossing.length, 0, limit, crossing.place, Verdict::fail, false};
+    if (crossing.unknown) worst.verdict = Verdict::undecided;
     Check check = check_of_structure("G-LO-IS", worst, "");
-    if (crossing.of_two_loops) check.message += "; two loops of the face cross there";
+    if (crossing.unknown)
+        check.message =
+            "whether borders of the face cross is unknown: it would take too many tests";
+    else if (crossing.of_two_loops)
+        check.message += "; two loops of the face cross there";
     return check;
 }
 

@@ -47,7 +47,7 @@ class CrossingSearch {
 public:
     CrossingSearch(const BezierCurveView& a, const BezierCurveView& b) : a_(a), b_(b) {}
 
-    std::vector<CurveCrossing> run() {
+    CurveCrossings run() {
         search({{a_.points.begin(), a_.points.end()}}, {{b_.points.begin(), b_.points.end()}}, 0);
         return std::move(found_);
     }
@@ -55,7 +55,11 @@ public:
 private:
     void search(const Piece& a, const Piece& b, int depth) {
         constexpr std::size_t most_tests = 4000;
-        if (++tests_ > most_tests || !a.box().overlaps(b.box())) return;
+        if (!a.box().overlaps(b.box())) return;
+        if (++tests_ > most_tests) {
+            found_.complete = false;
+            return;
+        }
         const bool straight_a = is_straight(a), straight_b = is_straight(b);
         if (straight_a && straight_b) return try_crossing(a, b);
         constexpr int most_depth = 60;
@@ -85,17 +89,17 @@ private:
             return;
         const Vec2 rest = evaluate(a_, s, 0)[0] - evaluate(b_, t, 0)[0];
         if (!(rest.length() <= 1e-9 * (a.box().size() + b.box().size()))) return;
-        found_.push_back({s, t});
+        found_.found.push_back({s, t});
     }
 
     BezierCurveView a_, b_;
     std::size_t tests_ = 0;
-    std::vector<CurveCrossing> found_;
+    CurveCrossings found_;
 };
 
 } // namespace
 
-std::vector<CurveCrossing> curve_crossings(const BezierCurveView& a, const BezierCurveView& b) {
+CurveCrossings curve_crossings(const BezierCurveView& a, const BezierCurveView& b) {
     return CrossingSearch(a, b).run();
 }
 

@@ -101,10 +101,12 @@ public:
             if (!(length > least) || (largest && length <= largest->length)) continue;
             const Place& at = crossing.places[0];
             const SurfaceCurve curve = borders_.curves.curve(loops_[at.loop][at.curve]);
-            largest = LoopCrossing{length, crossing.places[1].loop != at.loop,
-                                   curve.at(std::clamp(at.t, 0.0, 1.0)).position};
+            largest = LoopCrossing{.length = length,
+                                   .of_two_loops = crossing.places[1].loop != at.loop,
+                                   .unknown = false,
+                                   .place = curve.at(std::clamp(at.t, 0.0, 1.0)).position};
         }
-        return largest;
+        return largest ? largest : unknown_;
     }
 
 private:
@@ -121,6 +123,14 @@ private:
         return {piece.loop, piece.curve, t, ways_[piece.loop].at(piece.curve, t)};
     }
 
+    LoopCrossing unknown_at(const LoopPiece& a, const LoopPiece& b) const {
+        const SurfaceCurve curve = borders_.curves.curve(loops_[a.loop][a.curve]);
+        return {.length = 0,
+                .of_two_loops = a.loop != b.loop,
+                .unknown = true,
+                .place = curve.at((a.begin + a.end) / 2).position};
+    }
+
     void find_crossings(double least) {
         std::vector<Box3> boxes;
         for (const LoopPiece& piece : pieces_) boxes.push_back(piece.box());
@@ -129,7 +139,9 @@ private:
             for (const std::uint32_t k : tree.overlapping(boxes[i])) {
                 if (k <= i) continue;
                 const LoopPiece &a = pieces_[i], &b = pieces_[k];
-                for (const CurveCrossing& at : curve_crossings({a.points}, {b.points})) {
+                const CurveCrossings crossings = curve_crossings({a.points}, {b.points});
+                if (!crossings.complete && !unknown_) unknown_ = unknown_at(a, b);
+                for (const CurveCrossing& at : crossings.found) {
                     const Place p = place(a, at.a), q = place(b, at.b);
                     const bool same = p.loop == q.loop;
                     if (same && ways_[p.loop].between(p.way, q.way) <= least) continue;
@@ -189,6 +201,7 @@ private:
     std::vector<LoopWays> ways_;
     std::vector<LoopPiece> pieces_;
     std::vector<Crossing> crossings_;
+    std::optional<LoopCrossing> unknown_; ///< the first
 };
 
 } // namespace
