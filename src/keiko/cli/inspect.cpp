@@ -82,6 +82,7 @@ int inspect(InspectArguments arguments, const Job& job) {
     const Scene scene = arguments.scene.open(steps.next_of_steps(opening));
     arguments.scene.warn_of_axes(scene, options.views);
     options.picture.aovs = aovs_by_names(arguments.aovs);
+    if (!options.picture.aovs.empty()) options.picture.light_error = PictureOptions().light_error;
     options.register_hits = !arguments.hits.empty();
     const InspectResult result = inspect_scene(scene, options, steps.next_of_steps(inspecting));
     FileTransaction outputs;
