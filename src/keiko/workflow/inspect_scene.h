@@ -25,8 +25,8 @@ struct InspectOptions {
     PlacementOptions placement;                         ///< except its `mirror`
     /// Symmetry of placed lamps, used if views and body are symmetric.
     SymmetryChoice symmetry{SymmetryChoice::Kind::automatic};
-    /// Of the pictures; with AOVs each is written as an EXR, too. The error of light is at most
-    /// half a level of a display.
+    /// How pictures are made; with AOVs each is written as an EXR, too. The error of light
+    /// is half a level of a display at most.
     PictureOptions picture{.aovs = {}, .light_error = 5e-3};
     std::size_t close_ups = 12;   ///< close-up pictures at most, those of the first screen first
     bool register_hits = false;   ///< of the views, for InspectResult::hits
