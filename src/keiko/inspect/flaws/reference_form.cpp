@@ -42,18 +42,24 @@ private:
     double reach_;
 };
 
+/// Terms by least squares of heights that `level` changes; nullopt if they do not determine them.
+template <class Level>
+std::optional<FormTerms> least_squares(const std::vector<Place>& places, FormDomain domain,
+                                       const Level& level) {
+    PolynomialFit fit(domain);
+    for (const Place& place : places) fit.add(place.powers, level(place.z), place.weight);
+    if (!fit.decompose()) return std::nullopt;
+    return fit.solution();
+}
+
 class Reweighted {
 public:
     Reweighted(std::vector<Place> places, FormDomain domain)
         : places_(std::move(places)), domain_(domain) {}
 
-    /// FormTerms by least squares.
-    std::optional<FormTerms> all() const {
-        return solved([](double) { return 1.0; }, std::vector<double>(places_.size()));
-    }
     std::optional<FormTerms> majority() const {
         constexpr double roughly = 1e-2, closely = 1e-4; // of the spread
-        std::optional<FormTerms> t = all();
+        auto t = least_squares(places_, domain_, [](double z) { return z; });
         // The smallest sum of distances, whence the biweight begins.
         t = repeated(t, roughly, [](double spread) {
             const double least = 1e-3 * spread + smallest;
@@ -151,9 +157,8 @@ std::optional<ReferenceForm> ReferenceForm::fit(std::span<const FormHeight> heig
     base.reach_ = reach, base.domain_ = domain;
     constexpr int rounds = 4; // levelled heights give the curvature more accurately
     for (int i = 0; kind == FormKind::bent && i < rounds; ++i) {
-        std::vector<Place> levelled = places;
-        for (Place& place : levelled) place.z = base.levelled(place.z);
-        const auto rough = Reweighted(std::move(levelled), domain).all();
+        const auto rough =
+            least_squares(places, domain, [&](double z) { return base.levelled(z); });
         if (!rough) return std::nullopt;
         base.bend_ = largest_bend(*rough, domain) / (reach * reach);
     }
