@@ -43,10 +43,8 @@ int accept(const AcceptArguments& arguments) {
     require_place_for_file(file);
     const std::string today = arguments.today.date();
     const AcceptanceNote note = note_of(arguments, today);
-    AcceptanceList earlier{{}, today};
-    if (std::filesystem::exists(file)) earlier = read_acceptances(file, today);
-    const AddedAcceptances all =
-        accept_items(earlier, file, arguments.report, arguments.items, note);
+    const AddedAcceptances all = accept_items(earlier_acceptances(file, today), file,
+                                              arguments.report, arguments.items, note);
     write_text_file(file, acceptances_json(all.entries));
     print_added(all, file);
     return exit_pass;

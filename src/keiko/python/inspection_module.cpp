@@ -97,8 +97,7 @@ void write(const std::filesystem::path& folder, const std::map<std::string, py::
 std::size_t accept(const std::filesystem::path& report, const std::vector<std::size_t>& items,
                    const std::filesystem::path& output, const std::string& why,
                    const std::string& who, const std::string& until) {
-    AcceptanceList earlier{{}, date_today()};
-    if (std::filesystem::exists(output)) earlier = read_acceptances(output, earlier.today);
+    const AcceptanceList earlier = earlier_acceptances(output, date_today());
     const AcceptanceNote note{who, why, earlier.today, until};
     const AddedAcceptances all = accept_items(earlier, output, report, items, note);
     FileTransaction outputs;

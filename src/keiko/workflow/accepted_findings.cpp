@@ -51,6 +51,11 @@ AcceptanceList read_acceptances(const std::filesystem::path& file, std::string t
     return {acceptances_from_json(read_text_file(file), file.string()), std::move(today)};
 }
 
+AcceptanceList earlier_acceptances(const std::filesystem::path& file, std::string today) {
+    if (!std::filesystem::exists(file)) return {{}, std::move(today)};
+    return read_acceptances(file, std::move(today));
+}
+
 AddedAcceptances accept_items(const AcceptanceList& earlier, const std::filesystem::path& file,
                               const std::filesystem::path& report,
                               std::span<const std::size_t> items, const AcceptanceNote& note) {

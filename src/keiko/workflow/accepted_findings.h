@@ -18,6 +18,10 @@ std::string date_today();
 /// the entry and the reason.
 AcceptanceList read_acceptances(const std::filesystem::path& file, std::string today);
 
+/// The accepted findings of a file that more are to be added to, as of read_acceptances; none if it
+/// does not exist.
+AcceptanceList earlier_acceptances(const std::filesystem::path& file, std::string today);
+
 /// Acceptances, some of them added to earlier ones.
 struct AddedAcceptances {
     std::vector<Acceptance> entries;  ///< all of them: the earlier ones first, in their order
