@@ -53,8 +53,7 @@ std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::str
 
 std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::string> names,
                                     int automatic, int width, int height, const Job& job) {
-    Framing framing{.width = width, .height = height};
-    if (scene.surroundings) framing.ground = scene.surroundings->ground;
+    const Framing framing{.width = width, .height = height, .ground = scene.ground()};
     std::vector<NamedView> views;
     for (const std::string& name : names) views.push_back(view_by_name(scene, name, framing, job));
     require_different_names(views);

@@ -61,12 +61,10 @@ struct Subject {
 
 /// The views by which faults are ordered.
 std::vector<NamedView> views_of_triage(const Scene& scene) {
-    const auto ground =
-        scene.surroundings ? std::optional(scene.surroundings->ground) : std::nullopt;
+    const Framing framing{.ground = scene.ground()};
     std::vector<NamedView> views;
     for (const std::string_view name : standing_views)
-        views.push_back({std::string(name),
-                         frame_view(std::string(name), scene.tracer.bounds(), {.ground = ground})});
+        views.push_back({std::string(name), frame_view(name, scene.tracer.bounds(), framing)});
     return views;
 }
 

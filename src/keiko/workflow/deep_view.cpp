@@ -77,11 +77,11 @@ ViewFacts view_facts(const Scene& scene, const NamedView& view) {
         facts.faces.push_back(
             {face.id, face.name, face.layer, number_of(scene.materials[i], facts.materials)});
     }
-    Framing framing{.width = view.camera.width, .height = view.camera.height};
-    if (scene.surroundings) {
-        facts.ground = framing.ground = scene.surroundings->ground;
+    facts.ground = scene.ground();
+    if (scene.surroundings)
         facts.ground_material = number_of(scene.surroundings->materials.back(), facts.materials);
-    }
+    const Framing framing{
+        .width = view.camera.width, .height = view.camera.height, .ground = facts.ground};
     for (const std::string& name : view_names())
         facts.views.push_back({name, frame_view(name, facts.bounds, framing), 0});
     return facts;

@@ -76,9 +76,8 @@ std::vector<std::uint32_t> profiled_seams(const Report& report) {
 /// The order of the faults, and the pictures with their markers.
 void add_triage(Report& report, const Scene& scene, const InspectResult& result,
                 std::span<const NamedView> views, const Job& job) {
-    const auto ground =
-        scene.surroundings ? std::optional(scene.surroundings->ground) : std::nullopt;
-    report.triage = triage(scene.model, scene.tracer, whole_inspection(report), ground, job);
+    report.triage =
+        triage(scene.model, scene.tracer, whole_inspection(report), scene.ground(), job);
     report.profiles = profiles_of(scene.model, report.inspection, profiled_seams(report), job);
     const std::vector<ShownItem> shown = shown_items(report);
     for (std::size_t i = 0; i < views.size(); ++i)

@@ -59,6 +59,10 @@ struct Scene {
     const std::vector<Material>& seen_materials() const {
         return surroundings ? surroundings->materials : materials;
     }
+    /// mm, z of the ground; nullopt without one.
+    std::optional<double> ground() const {
+        return surroundings ? std::optional(surroundings->ground) : std::nullopt;
+    }
     /// Scene of pictures under a rig, to which, as to the scene, a reference is kept.
     PictureScene picture(const LightRig& under) const {
         return {seen(), seen_materials(), under, background, occluders ? &*occluders : nullptr};

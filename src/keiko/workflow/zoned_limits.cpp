@@ -96,9 +96,7 @@ FaceLimits zoned_limits(const ZonedBody& body, const CriteriaPreset& preset, con
 
 FaceLimits limits_in(const Scene& scene, const CriteriaPreset& preset, const Scope& scope,
                      const Job& job) {
-    const auto ground =
-        scene.surroundings ? std::optional(scene.surroundings->ground) : std::nullopt;
-    return zoned_limits({scene.model, &scene.tracer, ground}, preset, scope, job);
+    return zoned_limits({scene.model, &scene.tracer, scene.ground()}, preset, scope, job);
 }
 
 } // namespace keiko
