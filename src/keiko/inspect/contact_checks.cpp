@@ -6,6 +6,7 @@
 #include "keiko/inspect/overlaps/identical_edges.h"
 #include "keiko/inspect/overlaps/identical_faces.h"
 #include "keiko/inspect/overlaps/self_contact.h"
+#include "keiko/inspect/structure/face_structure.h"
 #include "keiko/inspect/structure/least_value.h"
 #include "keiko/inspect/structure/loop_crossings.h"
 
@@ -117,8 +118,6 @@ public:
     }
 
 private:
-    using FaceKey = std::pair<std::uint32_t, std::uint32_t>;
-
     const StructureLimits& limits_of(std::size_t i) const {
         return limits_.of({faces_[i].instance, faces_[i].face}).structure;
     }

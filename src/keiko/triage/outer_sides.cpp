@@ -1,6 +1,6 @@
 #include "keiko/triage/outer_sides.h"
 
-#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/material_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,18 +27,14 @@ Samples samples_of(const SurfaceModel& model, const PlacedFace& placed) {
     constexpr int side = 3; // places a patch, each way
     const Face& face = model.faces[placed.face];
     const Affine& transform = model.instances[placed.instance].transform;
-    const TrimRegion region(model, face);
     Samples samples;
-    for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p)
-        for (int i = 0; i < side * side; ++i) {
-            const Vec2 uv((i % side + 0.5) / side, (double(i / side) + 0.5) / side);
-            if (!region.contains(model.face_parameters(p, uv))) continue;
-            const SurfaceDerivatives s = evaluate(model.patch(p), uv, 1);
-            const Vec3 across = transform.vector(s.du()).cross(transform.vector(s.dv()));
-            const double size = across.length();
-            if (!(size > 0)) continue;
-            samples.push_back({transform.point(s.position()), across / size, size / (side * side)});
-        }
+    each_material_place(model, face, side, [&](std::uint32_t patch, const Vec2& uv) {
+        const SurfaceDerivatives s = evaluate(model.patch(patch), uv, 1);
+        const Vec3 across = transform.vector(s.du()).cross(transform.vector(s.dv()));
+        const double size = across.length();
+        if (!(size > 0)) return;
+        samples.push_back({transform.point(s.position()), across / size, size / (side * side)});
+    });
     return samples;
 }
 

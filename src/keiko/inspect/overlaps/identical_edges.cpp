@@ -22,17 +22,6 @@ struct PlacedEdge {
     Box3 box;                      ///< of these
 };
 
-/// Nine places of each curve of an edge; world, mm.
-std::vector<Vec3> places_of(const BoundaryCurves& curves, const EdgeSide& run) {
-    constexpr int steps = 8;
-    std::vector<Vec3> places;
-    for (const BoundaryInterval& border : run.curves) {
-        const SurfaceCurve curve = curves.curve(border);
-        for (int k = 0; k <= steps; ++k) places.push_back(curve.at(double(k) / steps).position);
-    }
-    return places;
-}
-
 std::vector<PlacedEdge> placed_edges(const ModelBorders& borders) {
     std::vector<PlacedEdge> edges;
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> numbers;
@@ -42,7 +31,7 @@ std::vector<PlacedEdge> placed_edges(const ModelBorders& borders) {
         const auto [known, is_new] = numbers.try_emplace({face.instance, run.edge}, edges.size());
         if (is_new) {
             edges.push_back({std::move(run), {}, {}, {}});
-            edges.back().places = places_of(borders.curves, edges.back().run);
+            edges.back().places = border_places(borders.curves, edges.back().run.curves);
             for (const Vec3& p : edges.back().places) edges.back().box.extend(p);
         }
         edges[known->second].faces.push_back(face);

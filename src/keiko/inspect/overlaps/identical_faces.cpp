@@ -2,8 +2,9 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bvh/box_tree.h"
-#include "keiko/geometry/trim/trim_region.h"
+#include "keiko/inspect/basics/material_places.h"
 #include "keiko/inspect/overlaps/place_on_face.h"
+#include "keiko/inspect/structure/edge_runs.h"
 
 #include <algorithm>
 #include <map>
@@ -21,16 +22,16 @@ public:
     const SurfaceModel& model() const { return borders_.model; }
     std::size_t count() const { return faces_.size(); }
     const PlacedFace& face(std::size_t i) const { return faces_[i]; }
-    /// Nine places of each of its border curves; world, mm.
-    std::vector<Vec3> border_places(std::size_t i) const;
+    /// Places of its border curves; world, mm.
+    std::vector<Vec3> places_of_borders(std::size_t i) const {
+        return border_places(borders_.curves, curves_[i]);
+    }
     /// Places of its material in a grid on each of its patches; world, mm.
     std::vector<Vec3> inner_places(std::size_t i) const;
     /// The faces but itself whose boxes hold its borders to within `reach` mm.
     std::vector<std::size_t> around(std::size_t i, double reach) const;
 
 private:
-    static constexpr int border_steps = 8;
-
     const ModelBorders& borders_;
     std::vector<PlacedFace> faces_;
     std::vector<Box3> hulls_, outlines_; ///< of the control points, and of places of the borders
@@ -59,29 +60,14 @@ FaceTable::FaceTable(const ModelBorders& borders)
     tree_ = BoxTree(hulls_);
 }
 
-std::vector<Vec3> FaceTable::border_places(std::size_t i) const {
-    std::vector<Vec3> places;
-    for (const BoundaryInterval& border : curves_[i]) {
-        const SurfaceCurve curve = borders_.curves.curve(border);
-        for (int k = 0; k <= border_steps; ++k)
-            places.push_back(curve.at(double(k) / border_steps).position);
-    }
-    return places;
-}
-
 std::vector<Vec3> FaceTable::inner_places(std::size_t i) const {
     std::vector<Vec3> places;
     const Face& face = model().faces[faces_[i].face];
     const Affine& placed = model().instances[faces_[i].instance].transform;
-    const TrimRegion trims(model(), face);
     constexpr int steps = 5;
-    for (std::uint32_t k = face.first_patch; k < face.first_patch + face.patch_count; ++k)
-        for (int a = 0; a < steps; ++a)
-            for (int b = 0; b < steps; ++b) {
-                const Vec2 uv((a + 0.5) / steps, (b + 0.5) / steps);
-                if (trims.untrimmed() || trims.contains(model().face_parameters(k, uv)))
-                    places.push_back(placed.point(evaluate(model().patch(k), uv, 0).position()));
-            }
+    each_material_place(model(), face, steps, [&](std::uint32_t patch, const Vec2& uv) {
+        places.push_back(placed.point(evaluate(model().patch(patch), uv, 0).position()));
+    });
     return places;
 }
 
@@ -100,7 +86,7 @@ std::vector<std::size_t> FaceTable::around(std::size_t i, double reach) const {
 class LyingTest {
 public:
     LyingTest(const FaceTable& table, std::size_t face, double limit)
-        : table_(table), face_(face), limit_(limit), borders_(table.border_places(face)) {}
+        : table_(table), face_(face), limit_(limit), borders_(table.places_of_borders(face)) {}
 
     /// The face on another one; nullopt if a place of it is farther off than the limit.
     std::optional<IdenticalFaces> on(std::size_t other) {

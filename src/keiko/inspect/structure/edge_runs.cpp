@@ -36,6 +36,17 @@ std::vector<EdgeSide> edge_runs(const ModelBorders& borders) {
     return runs;
 }
 
+std::vector<Vec3> border_places(const BoundaryCurves& curves,
+                                std::span<const BoundaryInterval> borders) {
+    constexpr int steps = 8;
+    std::vector<Vec3> places;
+    for (const BoundaryInterval& border : borders) {
+        const SurfaceCurve curve = curves.curve(border);
+        for (int k = 0; k <= steps; ++k) places.push_back(curve.at(double(k) / steps).position);
+    }
+    return places;
+}
+
 double polyline_length(const BoundaryCurves& curves, const EdgeSide& run, int steps) {
     double length = 0;
     for (const BoundaryInterval& border : run.curves) {

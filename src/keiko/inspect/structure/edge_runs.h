@@ -4,6 +4,7 @@
 #include "keiko/inspect/seams/model_borders.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -23,5 +24,9 @@ std::vector<EdgeSide> edge_runs(const ModelBorders& borders);
 /// Length of the polyline through places of a run, `steps` chords a curve, mm: the run is no
 /// shorter.
 double polyline_length(const BoundaryCurves& curves, const EdgeSide& run, int steps);
+
+/// Nine places of each of some border curves; world, mm.
+std::vector<Vec3> border_places(const BoundaryCurves& curves,
+                                std::span<const BoundaryInterval> borders);
 
 } // namespace keiko

@@ -1,6 +1,7 @@
 #include "keiko/inspect/structure/edge_structure.h"
 
 #include "keiko/base/units.h"
+#include "keiko/inspect/basics/approximation_error.h"
 #include "keiko/inspect/structure/edge_runs.h"
 #include "keiko/inspect/structure/least_value.h"
 
@@ -9,10 +10,6 @@
 
 namespace keiko {
 namespace {
-
-void keep_worse(std::optional<MeasuredValue>& worst, const MeasuredValue& found) {
-    worst = worst ? worse_of(*worst, found) : found;
-}
 
 MeasuredValue at_most(double value, double limit, const Vec3& place) {
     return {value, 0, limit, place, judge(value, 0, limit), false};
@@ -103,8 +100,7 @@ private:
         if (bridged) next = (next + 1) % loop.size();
         if (next == i || !has_edge(loop[next])) return;
         const Vec3 end = curve(loop[i]).at(1).position, begin = curve(loop[next]).at(0).position;
-        const Affine& placed = model_.instances[loop[i].instance].transform;
-        const double scale = placed.vector(Vec3(1, 0, 0)).length();
+        const double scale = scale_of(model_.instances[loop[i].instance]);
         constexpr double slack = 2; // the import measures along the surface
         const double gap = (begin - end).length();
         if (bridged && gap > slack * scale * widest) return;

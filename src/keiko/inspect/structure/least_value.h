@@ -2,6 +2,8 @@
 
 #include "keiko/inspect/basics/verdict.h"
 
+#include <optional>
+
 namespace keiko {
 
 /// A value known to within `bound` that must not be under its limit.
@@ -16,6 +18,12 @@ inline MeasuredValue at_least(double value, double bound, double limit, const Ve
 inline const MeasuredValue& lesser_of(const MeasuredValue& a, const MeasuredValue& b) {
     if (a.verdict != b.verdict) return a.verdict > b.verdict ? a : b;
     return a.value <= b.value ? a : b;
+}
+
+/// Replaces the worst value so far by one that is worse; one that was not found does not count.
+inline void keep_worse(std::optional<MeasuredValue>& worst,
+                       const std::optional<MeasuredValue>& found) {
+    if (found) worst = worst ? worse_of(*worst, *found) : *found;
 }
 
 } // namespace keiko

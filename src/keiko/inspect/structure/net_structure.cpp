@@ -50,10 +50,6 @@ std::optional<MeasuredValue> angle(const SpanNet& net, const Leg& a, const Leg& 
     return MeasuredValue{value, bound, limit, net.world(b.from), judge(value, bound, limit), false};
 }
 
-void keep_worse(std::optional<MeasuredValue>& worst, const std::optional<MeasuredValue>& found) {
-    if (found) worst = worst ? worse_of(*worst, *found) : *found;
-}
-
 std::optional<MeasuredValue> turn_of_row(const SpanNet& net, const Legs& legs, double limit) {
     std::optional<MeasuredValue> worst;
     const Leg* last = nullptr;

@@ -106,7 +106,7 @@ std::optional<MeasuredValue> largest_width_ratio(const std::vector<SpanNet>& net
             const Width width = width_of(patches, in_u);
             if (last && last->first == knots.first) {
                 const MeasuredValue found = ratio_of(last->second, width, limit);
-                largest = largest ? worse_of(*largest, found) : found;
+                keep_worse(largest, found);
             }
             last.emplace(knots.second, width);
         }
