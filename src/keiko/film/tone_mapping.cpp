@@ -44,6 +44,11 @@ double srgb_oetf(double linear) {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
 
+double srgb_slope(double linear) {
+    const double x = std::min(linear, 1.0);
+    return x <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(x, 1 / 2.4 - 1);
+}
+
 double saturation_luminance(double ev) {
     return 1.2 * std::exp2(ev);
 }

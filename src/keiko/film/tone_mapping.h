@@ -24,6 +24,9 @@ struct ToneMapping {
 /// sRGB transfer function [IEC61966-2-1] of a linear value, clamped to [0, 1].
 double srgb_oetf(double linear);
 
+/// Derivative of srgb_oetf() by the linear value, to its left from 1 on: 0.44 at 1, 12.92 near 0.
+double srgb_slope(double linear);
+
 /// Luminance in cd/m2 that an exposure of `ev` shows as 1: 1.2 * 2^EV (saturation of a camera at
 /// ISO 100 [ISO12232]).
 double saturation_luminance(double ev);

@@ -192,7 +192,7 @@ bool shows_lamps(const Film& film, const LightRig& rig) {
 Image picture_of(const Scene& scene, const LightRig& rig, const Camera& camera,
                  PictureOptions options, const Job& job) {
     options.aovs = look_layers(AnalysisMode::zebra);
-    const Film film = render_view(scene, rig, camera, options, job);
+    const Film film = render_to_show(scene, rig, camera, options, job);
     if (shows_lamps(film, rig)) return tone_mapped(film);
     return analysis_picture(AnalysisMode::zebra, film, camera, rig);
 }

@@ -157,10 +157,12 @@ Inspection measured(const Scene& scene, const InspectOptions& options, JobSteps&
 void render_views(const Scene& scene, const InspectOptions& options,
                   std::span<const NamedView> views, InspectResult& result, JobSteps& steps) {
     const PictureOptions picture = with_look_layers(options.picture);
+    // Requested layers may hold numbers of light, which keep the same share everywhere.
+    const auto render = options.picture.aovs.empty() ? render_to_show : render_view;
     for (const NamedView& view : views)
         result.films.emplace_back(view.name,
-                                  render_view(scene, result.rig, view.camera, picture,
-                                              steps.next(InspectWeights::picture, 1, view.name)));
+                                  render(scene, result.rig, view.camera, picture,
+                                         steps.next(InspectWeights::picture, 1, view.name)));
 }
 
 } // namespace

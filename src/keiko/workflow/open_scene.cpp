@@ -1,6 +1,7 @@
 #include "keiko/workflow/open_scene.h"
 
 #include "keiko/base/job_steps.h"
+#include "keiko/film/tone_mapping.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/workflow/painted_body.h"
@@ -88,13 +89,37 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options) {
 }
 
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
-                 const PictureOptions& options, const Job& job) {
-    Film film = render(scene.picture(rig), camera, picture_options(scene, options), job);
+                 PictureOptions options, const Job& job) {
+    Film film = render(scene.picture(rig), camera, picture_options(scene, std::move(options)), job);
     if (const auto layer = film.aovs.find(Aov::face); layer != film.aovs.end())
         for (float& value : layer->second.values)
             if (value >= 0)
                 value = static_cast<float>(scene.face_id(static_cast<std::size_t>(value)));
     return film;
+}
+
+namespace {
+
+/// The white_luminance() of a picture, from one of every eighth pixel a side.
+double expected_white(const Scene& scene, const LightRig& rig, const Camera& camera,
+                      PictureOptions options, const Job& job) {
+    constexpr int coarser = 8;
+    Camera coarse = camera;
+    coarse.width = (camera.width + coarser - 1) / coarser;
+    coarse.height = (camera.height + coarser - 1) / coarser;
+    options.aovs.clear();
+    options.edge_samples = 1, options.light_error = 0.02;
+    return white_luminance(render_view(scene, rig, coarse, options, job));
+}
+
+} // namespace
+
+Film render_to_show(const Scene& scene, const LightRig& rig, const Camera& camera,
+                    PictureOptions options, const Job& job) {
+    constexpr double coarse = 1, fine = 10;
+    JobSteps steps(job, coarse + fine);
+    options.white = expected_white(scene, rig, camera, options, steps.next(coarse));
+    return render_view(scene, rig, camera, options, steps.next(fine));
 }
 
 double scatterings_past_body(const Scene& scene, const LightRig& rig, const Vec3& eye) {

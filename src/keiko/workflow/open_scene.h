@@ -91,7 +91,12 @@ Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options
 
 /// Renders one picture of the scene under a rig.
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
-                 const PictureOptions& options = {}, const Job& job = {});
+                 PictureOptions options = {}, const Job& job = {});
+
+/// Renders one picture that tone_mapped() will show: PictureOptions::white is about the film's own
+/// white_luminance().
+Film render_to_show(const Scene& scene, const LightRig& rig, const Camera& camera,
+                    PictureOptions options = {}, const Job& job = {});
 
 /// Mean number of scatterings of light on its way from a lamp of the rig past the middle of the
 /// scene's body to the camera. Pictures hold singly scattered light only, and are wrong unless this

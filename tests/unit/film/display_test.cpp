@@ -20,6 +20,15 @@ Film grey_film(int width, int height, const std::vector<float>& luminances) {
 
 } // namespace
 
+TEST(Display, SlopeIsThatOfTheTransferFunction) {
+    for (const double linear : {1e-4, 2e-3, 0.004, 0.02, 0.3, 0.9}) {
+        const double step = 1e-6 * linear;
+        const double slope = (srgb_oetf(linear + step) - srgb_oetf(linear - step)) / (2 * step);
+        EXPECT_NEAR(srgb_slope(linear), slope, 1e-6 * slope) << linear;
+    }
+    EXPECT_EQ(srgb_slope(5), srgb_slope(1));
+}
+
 TEST(Display, AgreesWithOracle) {
     const test::OracleTable table("display");
     test::WorstError x("x"), srgb("srgb"), curve("reinhard"), encoded("reinhard_srgb"),

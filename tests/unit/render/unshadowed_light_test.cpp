@@ -1,5 +1,6 @@
 #include "keiko/render/lighting/unshadowed_light.h"
 
+#include "keiko/film/tone_mapping.h"
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>
 
@@ -112,6 +113,30 @@ TEST(UnshadowedLight, HoldsTheErrorOfTheIlluminance) {
     }
     EXPECT_GT(lit, 20000U);
     EXPECT_LT(off, lit / 100);
+}
+
+// Display values deviate by no more than the error is at white, and more light is fitted.
+TEST(UnshadowedLight, HoldsTheErrorAsItIsShown) {
+    const Stage stage = domed_plate();
+    PictureOptions options{.aovs = {}, .edge_samples = 1, .light_error = 0};
+    const Film exact = stage.render(options);
+    options.light_error = 1e-3;
+    const Film by_share = stage.render(options);
+    const double white = 10 * white_luminance(exact);
+    options.white = white;
+    const Film as_shown = stage.render(options);
+    EXPECT_GT(deviation(as_shown, exact, 1).fitted, deviation(by_share, exact, 1).fitted);
+    const double allowed = options.light_error * srgb_slope(1);
+    std::size_t off = 0, far_off = 0, beyond_share = 0;
+    for (std::size_t i = 0; i < exact.color.values.size(); ++i) {
+        const double is{as_shown.color.values[i]}, wanted{exact.color.values[i]};
+        const double shown = std::abs(srgb_oetf(is / white) - srgb_oetf(wanted / white));
+        off += shown > allowed ? 1 : 0, far_off += shown > 5 * allowed ? 1 : 0;
+        beyond_share += std::abs(is - wanted) > options.light_error * wanted ? 1 : 0;
+    }
+    EXPECT_LT(off, exact.color.values.size() / 100);
+    EXPECT_EQ(far_off, 0U);
+    EXPECT_GT(beyond_share, off);
 }
 
 TEST(UnshadowedLight, OfNoErrorIsThatOfEachRay) {

@@ -1,9 +1,12 @@
 #include "keiko/render/lighting/error_budget.h"
 
+#include "keiko/film/tone_mapping.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <optional>
 
 namespace keiko {
 
@@ -64,14 +67,23 @@ double ratio(double wrong, double allowed) {
     return ratio >= 0 ? ratio : std::numeric_limits<double>::infinity();
 }
 
+/// cd/m2 that a luminance may deviate by. `white`: as of PictureOptions.
+double allowed_deviation(double luminance, double error, const std::optional<double>& white) {
+    if (!white || !(luminance < *white)) return error * luminance;
+    return error * *white * srgb_slope(1) / srgb_slope(luminance / *white);
+}
+
 } // namespace
 
 ErrorBudget::ErrorBudget(const Integrator& integrator, const ShadingPoint& point, const Rgb& seen,
                          const DirectLight& total, double error)
     : weight_(point.weight),
       sent_(integrator.luminance(point, {Rgb(1), {}, 0})),
-      luminance_(error * max_channel(seen + weight_ * integrator.luminance(point, total))),
-      incident_(error * total.incident) {}
+      incident_(error * total.incident) {
+    const double shown = max_channel(seen + weight_ * integrator.luminance(point, total));
+    luminance_ = allowed_deviation(shown, error, integrator.white());
+    share_ = shown > 0 ? luminance_ / shown : error;
+}
 
 double ErrorBudget::used_by(const DirectLight& wrong) const {
     const Rgb off = weight_ * (sent_ * wrong.illuminance + wrong.lobes);

@@ -40,19 +40,23 @@ Lights least_erroneous(std::vector<LightError> errors, double& left);
 /// Error allowed in the light at a place of a picture.
 class ErrorBudget {
 public:
-    /// Budget of `error` of the visible luminance there, which is `seen` besides the light `total`;
-    /// the same share applies to that light's illuminance.
+    /// Budget of `error` of the visible luminance there, which is `seen` besides the light `total`,
+    /// or of what PictureOptions::white makes of it; `error` itself applies to that light's
+    /// illuminance.
     ErrorBudget(const Integrator& integrator, const ShadingPoint& point, const Rgb& seen,
                 const DirectLight& total, double error);
 
     /// Share of the budget that an error of the light uses up: infinite if nothing is allowed, or
     /// the error is NaN.
     double used_by(const DirectLight& wrong) const;
+    /// Share of the visible luminance that is allowed, `error` or more.
+    double share() const { return share_; }
 
 private:
     Rgb weight_; ///< of the luminance from the place, in the picture
     Rgb sent_;   ///< cd/m2 a lx on the base
     double luminance_, incident_;
+    double share_;
 };
 
 } // namespace keiko

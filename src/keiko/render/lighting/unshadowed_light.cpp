@@ -23,7 +23,7 @@ constexpr double most_leverage = 1;
 /// the light.
 constexpr double most_bend = 2;
 /// Share of the error that is allowed at a node that determines its own light, for rounding.
-constexpr double least_share = 0.1;
+constexpr double least_own_share = 0.1;
 /// Squared distances to nodes that are lit already count this much more.
 constexpr double lit_first = 1.5;
 
@@ -138,50 +138,60 @@ private:
         light_[place] = integrator_.direct_light(*places_[place].point);
         is_lit_[place] = true;
     }
-    /// Lights a region by a fit; false if its nodes, or too many other places, deviate from it.
+    /// Lights a region by a fit; false if its nodes, or all other places, deviate from it.
     bool fit(const Places& region, const std::vector<Vec2>& chart) {
         std::vector<Vec2> nodes;
         std::vector<DirectLight> lights;
         std::vector<Vec3> normals;
+        std::vector<ErrorBudget> budgets;
         const Places chosen = nodes_of(region, chart);
         for (const std::size_t node : chosen) {
             light(region[node]);
             nodes.push_back(chart[node]);
             lights.push_back(light_[region[node]]);
             normals.push_back(normal(region[node]));
+            const LitPlace& place = places_[region[node]];
+            budgets.emplace_back(integrator_, *place.point, place.seen, lights.back(), error_);
         }
         const QuadraticFit fit(nodes);
         const auto fitted = fit.to(std::span<const DirectLight>(lights));
         for (std::size_t i = 0; i < nodes.size(); ++i)
-            if (!agrees(region[chosen[i]], fitted, fit, monomials(nodes[i]))) return false;
-        return fill(region, chart, fit, fitted, fit.to(std::span<const Vec3>(normals)));
+            if (!agrees(lights[i], budgets[i], fitted, fit, monomials(nodes[i]))) return false;
+        return fill(region, chart, fit, fitted, fit.to(std::span<const Vec3>(normals)),
+                    most_bend * least_share(budgets));
     }
-    /// Lights the other places of a region by a fit, or themselves where they deviate from it;
-    /// false if too many do.
+    /// The smallest share of the light that any of them allows.
+    static double least_share(const std::vector<ErrorBudget>& budgets) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const ErrorBudget& budget : budgets) least = std::min(least, budget.share());
+        return least;
+    }
+    /// Lights the other places of a region by a fit, and those whose normals are farther than
+    /// `most` radians off theirs as a region of their own; false if all are.
     bool fill(const Places& region, const std::vector<Vec2>& chart, const QuadraticFit& fit,
-              const Quadratic<DirectLight>& fitted, const Quadratic<Vec3>& fitted_normal) {
+              const Quadratic<DirectLight>& fitted, const Quadratic<Vec3>& fitted_normal,
+              double most) {
         Places off;
         for (std::size_t i = 0; i < region.size(); ++i) {
             if (is_lit_[region[i]]) continue;
             const Monomials powers = monomials(chart[i]);
             const double bend = (fitted_normal.at(powers) - normal(region[i])).length();
-            if (fit.leverage(powers) <= most_leverage && bend <= most_bend * error_)
+            if (fit.leverage(powers) <= most_leverage && bend <= most)
                 light_[region[i]] = fitted.at(powers);
             else
                 off.push_back(region[i]);
         }
-        if (off.size() > node_count) return false;
-        light_each(off);
+        if (off.size() + node_count >= region.size()) return false;
+        light(off);
         return true;
     }
     const Vec3& normal(std::size_t place) const { return places_[place].point->place.normal; }
     /// True if the other nodes of a fit predict the light of one.
-    bool agrees(std::size_t node, const Quadratic<DirectLight>& fitted, const QuadraticFit& fit,
-                const Monomials& powers) const {
-        const LitPlace& place = places_[node];
-        const ErrorBudget allowed(integrator_, *place.point, place.seen, light_[node], error_);
-        const double share = std::max(1 - fit.leverage(powers), least_share);
-        return allowed.used_by(light_[node] - fitted.at(powers)) <= share;
+    static bool agrees(const DirectLight& light, const ErrorBudget& allowed,
+                       const Quadratic<DirectLight>& fitted, const QuadraticFit& fit,
+                       const Monomials& powers) {
+        const double share = std::max(1 - fit.leverage(powers), least_own_share);
+        return allowed.used_by(light - fitted.at(powers)) <= share;
     }
     /// Numbers of places of a region as far from each other as can be, rather of lit ones.
     Places nodes_of(const Places& region, const std::vector<Vec2>& chart) const {

@@ -19,8 +19,8 @@ struct LitPlace {
 /// Neighbours that show one smooth surface form regions. The light of a region is a polynomial of
 /// degree two on a plane through it, fitted to the light at a few of the places. Each of those
 /// deviates from what the others predict by at most `error` of the visible luminance there. Where
-/// one deviates by more, the halves of the region are fitted; 0: the light of each place is
-/// computed.
+/// one deviates by more, the halves of the region are fitted. Places whose normals deviate from a
+/// fit of the normals form a region of their own. 0: the light of each place is computed.
 std::vector<DirectLight> unshadowed_light(const Integrator& integrator,
                                           std::span<const LitPlace> places, double error);
 

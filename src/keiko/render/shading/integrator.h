@@ -56,6 +56,8 @@ public:
     std::vector<DirectLight> direct_light(const ShadingPoint& point,
                                           std::span<const LightId> lights,
                                           std::vector<LightVisibility> seen) const;
+    /// PictureOptions::white.
+    const std::optional<double>& white() const { return options_.white; }
     /// cd/m2 that a shading point's base and lobes reflect of the lamps' light to the viewer.
     Rgb luminance(const ShadingPoint& point, const DirectLight& light) const;
     /// cd/m2 that a shading point's base and lobes reflect of uniform light from all sides to the
