@@ -68,8 +68,21 @@ class Inspect(KeikoTest):
         for name in names:
             png = (self.folder / "out" / name).read_bytes()
             self.assertEqual(png[:4], b"\x89PNG", name)
-        rest = {"high-front-marked.png", "rig.toml", "report.html", "report.json", ".keiko-results"}
+        rest = {"high-front-marked.png", "rig.toml", "report.html", "report.json", "faults.json",
+                ".keiko-results"}
         self.assertEqual({p.name for p in (self.folder / "out").iterdir()}, rest | set(names))
+
+    def test_the_faults_are_those_of_the_triage_with_their_profiles(self):
+        report = self.inspect("seam-g1-angle.step")[1]
+        faults = json.loads((self.folder / "out/faults.json").read_text())
+        self.assertEqual((faults["format"], faults["preset"]), ("keiko-faults/1", report["preset"]["name"]))
+        for kind in "items", "hidden":
+            common = [{key: fault[key] for key in item}
+                      for fault, item in zip(faults[kind], report["triage"][kind], strict=True)]
+            self.assertEqual(common, report["triage"][kind])
+        first = faults["items"][0]
+        self.assertEqual(first["message"], report["findings"][first["findings"][0] - 1]["message"])
+        self.assertEqual(first["profile"]["seam"], first["seams"][0])
 
     def test_close_ups_are_as_many_as_requested(self):
         def close_ups(*options):

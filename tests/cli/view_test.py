@@ -298,6 +298,25 @@ class Answers(ViewTest):
         self.assertGreater(placed["coverage"], 0.5)
         self.assertGreater(len(placed["rig"]["planes"]), 0)
 
+    def test_the_faults_are_those_of_the_check_with_places_and_profiles(self):
+        model = surface("seam-g1-angle.step")
+        self.server = self.serve(model)
+        faults = self.json_of("GET", "/inspect")
+        self.keiko("check", model, "--json", "check.json", "--profiles", "profiles.json")
+        check = json.loads((self.folder / "check.json").read_text())
+        profiles = json.loads((self.folder / "profiles.json").read_text())["profiles"]
+        self.assertEqual((faults["format"], faults["verdict"]), ("keiko-faults/1", "fail"))
+        covered = [number for item in faults["items"] + faults["hidden"] for number in item["findings"]]
+        self.assertEqual(sorted(covered), list(range(1, len(check["findings"]) + 1)))
+        fault = faults["items"][0]
+        self.assertEqual(fault["mending"], "tangent")
+        worst = check["findings"][fault["findings"][0] - 1]
+        self.assertEqual((fault["message"], fault["faces"]), (worst["message"], worst["faces"]))
+        self.assertEqual(fault["profile"], profiles[fault["seams"][0] - 1])
+        ends = [sample["place"] for sample in fault["profile"]["samples"]]
+        near = min(sum((a - b) ** 2 for a, b in zip(place, fault["place"])) ** 0.5 for place in ends)
+        self.assertLess(near, fault["length"] / 10)
+
     def test_errors_of_long_answers_are_answers(self):
         self.error_of(self.server.ask("POST", "/lines", "c_plane = []"), 400)
 

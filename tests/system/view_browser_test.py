@@ -1,5 +1,6 @@
 """The page of keiko view in a real browser. Exits with 77 where there is none, unless CI is set."""
 import base64
+import json
 import os
 import shutil
 import sys
@@ -66,12 +67,16 @@ class Page(KeikoTest):
     def setUp(self):
         super().setUp()
         self.write("scene.toml", SCENE % surface("hood.step"))
-        self.server = Server(self.folder, "scene.toml")
-        self.addCleanup(self.server.close)
         profile = tempfile.TemporaryDirectory(prefix="keiko-browser-", ignore_cleanup_errors=True)
         self.addCleanup(profile.cleanup)
         self.browser = browser(profile.name, str(self.folder / "downloads"))
         self.addCleanup(self.browser.quit)
+        self.open("scene.toml")
+
+    def open(self, *arguments: str):
+        """Shows what another server has."""
+        self.server = Server(self.folder, *arguments)
+        self.addCleanup(self.server.close)
         self.browser.get(self.server.address)
         self.wait_for(lambda: "surfaces in" in self.state() or "exact" in self.state())
 
@@ -195,6 +200,22 @@ class Panel(Page):
         self.browser.find_element(By.CSS_SELECTOR, "#seams button").click()
         self.wait_for_still()
         self.assertGreater(differences(before, self.pixels(self.canvas()))[1], 0.1)
+
+    def test_a_fault_that_is_flown_to_lies_in_the_middle_and_has_a_profile(self):
+        self.open(surface("seam-g1-angle.step"))
+        self.press("inspect")
+        self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#faults li"))
+        self.assertIn("tangent", self.text("faults"))
+        self.browser.find_element(By.CSS_SELECTOR, "#faults button").click()
+        self.wait_for_still()
+        self.assertIn("angle up to", self.browser.find_element(By.CSS_SELECTOR, "#faults .plot text").text)
+        self.browser.find_element(By.ID, "picture").click()
+        fault = json.loads(self.server.ask("GET", "/inspect")[2])["items"][0]
+        lines = self.text("pick").split("\n")
+        place = map(float, lines[lines.index("place") + 1].removesuffix(" mm").split(","))
+        away = sum((a - b) ** 2 for a, b in zip(place, fault["place"])) ** 0.5
+        self.assertLess(away, 0.02 * fault["length"])
+        self.assertEqual(self.errors(), [])
 
     def test_lamps_are_placed_for_the_view(self):
         before = self.text("rows")

@@ -2,5 +2,8 @@
 #pragma once
 
 #include "keiko/files/scene/view_request.h"
+#include "keiko/report/content/triaged_faults.h"
 #include "keiko/report/content/view_facts.h"
+#include "keiko/workflow/check_scene.h"
 #include "keiko/workflow/deep_view.h"
+#include "keiko/workflow/scene_faults.h"

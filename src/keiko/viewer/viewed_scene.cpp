@@ -1,6 +1,7 @@
 #include "keiko/viewer/viewed_scene.h"
 
 #include "keiko/api/model.h"
+#include "keiko/base/job_steps.h"
 
 #include <chrono>
 #include <utility>
@@ -32,12 +33,13 @@ LightRig ViewedScene::rig_of(const ViewRequest& request) const {
     return request.planes ? with_planes(rig(), *request.planes) : rig();
 }
 
-std::string ViewedScene::KeptText::get(const Job& job, const std::function<std::string()>& make) {
+template <class Value>
+const Value& ViewedScene::Kept<Value>::get(const Job& job, const std::function<Value()>& make) {
     constexpr std::chrono::milliseconds look{50};
     std::unique_lock lock(making, std::defer_lock);
     while (!lock.try_lock_for(look)) job.check();
-    if (!text) text = make();
-    return *text;
+    if (!value) value = make();
+    return *value;
 }
 
 std::string ViewedScene::facts(const Job& job) {
@@ -46,9 +48,21 @@ std::string ViewedScene::facts(const Job& job) {
     });
 }
 
+const Inspection& ViewedScene::judged(const Job& job) {
+    return judged_.get(job, [&] { return check_scene(scene_, check_, job); });
+}
+
 std::string ViewedScene::inspection(const Job& job) {
-    return inspection_.get(job, [&] {
-        return inspection_json(check_models(scene_.inputs, check_, job).inspection, version());
+    return inspection_.get(job, [&] { return inspection_json(judged(job), version()); });
+}
+
+std::string ViewedScene::faults(const Job& job) {
+    return faults_.get(job, [&] {
+        constexpr double judging = 20, ordering = 3;
+        JobSteps steps(job, judging + ordering);
+        const Inspection& inspection = judged(steps.next_of_steps(judging));
+        return faults_json(scene_faults(scene_, inspection, steps.next_of_steps(ordering)),
+                           inspection, version());
     });
 }
 

@@ -36,23 +36,29 @@ public:
     std::string facts(const Job& job);
     /// The judged geometry, "keiko-inspection/1", made as the facts. Throws Error, and Cancelled.
     std::string inspection(const Job& job);
+    /// Its faults in the order of mending, "keiko-faults/1", made as the inspection.
+    std::string faults(const Job& job);
 
 private:
-    /// A text that takes long.
-    struct KeptText {
+    /// A value that takes long.
+    template <class Value>
+    struct Kept {
         std::timed_mutex making;
-        std::optional<std::string> text{};
+        std::optional<Value> value{};
 
-        /// The text, by `make` unless it is there.
-        std::string get(const Job& job, const std::function<std::string()>& make);
+        /// The value, by `make` unless it is there. It never changes.
+        const Value& get(const Job& job, const std::function<Value()>& make);
     };
+
+    const Inspection& judged(const Job& job);
 
     Scene scene_;
     NamedView view_;
     CheckOptions check_;
     mutable std::mutex rig_access_;
     LightRig rig_;
-    KeptText facts_, inspection_;
+    Kept<Inspection> judged_;
+    Kept<std::string> facts_, inspection_, faults_;
 };
 
 } // namespace keiko::viewer

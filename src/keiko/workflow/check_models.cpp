@@ -2,11 +2,10 @@
 
 #include "keiko/base/job_steps.h"
 #include "keiko/base/text.h"
-#include "keiko/compare/shape/symmetry.h"
 #include "keiko/geometry/trim/material_bounds.h"
-#include "keiko/inspect/joint_checks.h"
 #include "keiko/inspect/seams/seam_measure.h"
 #include "keiko/scene/view.h"
+#include "keiko/workflow/judged_body.h"
 #include "keiko/workflow/open_scene.h"
 #include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/version.h"
@@ -40,18 +39,14 @@ std::vector<SeamProfile> profiles_of(const SurfaceModel& model, const Inspection
 CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
                          const Job& job) {
     const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
-    constexpr double reading = 2, choosing = 0.5, measuring = 18, symmetry = 1, drawing = 1;
+    constexpr double reading = 2, choosing = 0.5, drawing = 1;
+    const JudgedParts parts{options.join, options.joints, options.acceptances};
     const bool combs = has_curves(options.combs);
-    JobSteps steps(job, reading + choosing + measuring + symmetry + (options.joints ? 1 : 0) +
-                            drawing * (combs + options.profiles));
+    JobSteps steps(job, reading + choosing + parts.weight() + drawing * (combs + options.profiles));
     const SurfaceModel model = read_body(spec, options.load, steps.next(reading)).model;
     const FaceLimits limits =
         zoned_limits({model}, options.preset, options.scope, steps.next(choosing));
-    CheckResult result{
-        inspect(model, limits, options.join, steps.next(measuring, inspection_stages))};
-    check_symmetry(model, result.inspection, steps.next(symmetry));
-    if (options.joints) check_joints(model, result.inspection, steps.next(1));
-    accept_findings(result.inspection, options.acceptances);
+    CheckResult result{judged_body(model, limits, parts, steps)};
     if (combs) result.combs = combs_of(model, options.combs, steps.next(drawing));
     if (options.profiles) {
         std::vector<std::uint32_t> all(result.inspection.seams.size());

@@ -1,15 +1,15 @@
 #include "keiko/workflow/inspect_scene.h"
 
 #include "keiko/base/job_steps.h"
-#include "keiko/compare/shape/symmetry.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/tone_mapping.h"
-#include "keiko/inspect/joint_checks.h"
 #include "keiko/report/content/report.h"
+#include "keiko/report/content/triaged_faults.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/close_ups.h"
 #include "keiko/workflow/find_lines.h"
+#include "keiko/workflow/judged_body.h"
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/report_pictures.h"
 #include "keiko/workflow/version.h"
@@ -100,19 +100,22 @@ PictureOptions without_aovs(PictureOptions options) {
 /// Shares of the time of an inspection, as on the concept car and the hood of `surfaces`.
 struct InspectWeights {
     static constexpr double choosing = 1.5, registering = 1, placing = 3, limiting = 0.5,
-                            measuring = 18, symmetry = 1, joints = 1, picture = 2.5, lines = 3,
-                            triage = 1, combs = 1, close_ups = 3;
+                            picture = 2.5, lines = 3, triage = 1, combs = 1, close_ups = 3;
 };
 
 constexpr int automatic_views = 3;
+
+JudgedParts parts_of(const InspectOptions& options) {
+    return {options.join, options.joints, options.acceptances};
+}
 
 double weight_of(const InspectOptions& options) {
     using W = InspectWeights;
     const double views =
         options.views.empty() ? automatic_views : static_cast<double>(options.views.size());
-    return W::choosing + W::placing + W::limiting + W::measuring + W::symmetry +
+    return W::choosing + W::placing + W::limiting + parts_of(options).weight() +
            (W::picture + W::lines) * views + W::triage + W::close_ups +
-           (options.joints ? W::joints : 0) + (options.register_hits ? W::registering : 0) +
+           (options.register_hits ? W::registering : 0) +
            (has_curves(options.combs) ? W::combs : 0);
 }
 
@@ -145,11 +148,7 @@ void choose_rig(const Scene& scene, const InspectOptions& options, std::span<con
 Inspection measured(const Scene& scene, const InspectOptions& options, JobSteps& steps) {
     const FaceLimits limits =
         limits_in(scene, options.preset, options.scope, steps.next(InspectWeights::limiting));
-    Inspection found = inspect(scene.model, limits, options.join,
-                               steps.next(InspectWeights::measuring, inspection_stages));
-    check_symmetry(scene.model, found, steps.next(InspectWeights::symmetry));
-    if (options.joints) check_joints(scene.model, found, steps.next(InspectWeights::joints));
-    accept_findings(found, options.acceptances);
+    Inspection found = judged_body(scene.model, limits, parts_of(options), steps);
     found.facts.tracing = trace_facts(scene.tracer.statistics());
     return found;
 }
@@ -208,6 +207,9 @@ FolderContent result_files(const std::filesystem::path& folder, const InspectRes
             encode_png(marked_image(film, result.report.pictures[i].markers));
     }
     files["rig.toml"] = rig_text(result.rig, folder);
+    const Report& report = result.report;
+    files["faults.json"] = faults_json({report.triage, report.profiles}, whole_inspection(report),
+                                       report.tool_version);
     if (result.combs)
         files["combs.json"] = result.combs->json, files["combs.csv"] = result.combs->csv;
     return files;

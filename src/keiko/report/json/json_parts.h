@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/inspect/seams/seam_profile.h"
 #include "keiko/report/content/line_list.h"
 #include "keiko/report/content/picture_outcome.h"
 #include "keiko/report/markup/json_text.h"
@@ -29,6 +30,8 @@ Json findings_json(const Inspection& inspection);
 /// items and hidden, each [{mending, findings, seams, face, length, visible, width, weight, view,
 /// mirrored}]; numbers from 1.
 Json triage_json(const Triage& triage);
+/// A profile with its stretch and samples, with the keys of keiko-profiles/1.
+Json profile_json(const SeamProfile& profile, const Inspection& inspection);
 /// Joints between panels, each with its sections.
 Json joints_json(const std::vector<Joint>& joints);
 /// The limits of joints that a preset has, and by what joints are sought.

@@ -1,7 +1,7 @@
 #include "keiko/inspect/seams/curvature_match.h"
 #include "keiko/inspect/seams/seam_quantities.h"
 #include "keiko/report/content/profiles_text.h"
-#include "keiko/report/markup/json_text.h"
+#include "keiko/report/json/json_parts.h"
 
 namespace keiko {
 namespace {
@@ -48,6 +48,8 @@ Json sample_json(const ProfileSample& s) {
     return json;
 }
 
+} // namespace
+
 Json profile_json(const SeamProfile& profile, const Inspection& inspection) {
     const MeasuredSeam& seam = inspection.seams[profile.seam];
     Json json = {{"seam", profile.seam + 1},
@@ -69,8 +71,6 @@ Json profile_json(const SeamProfile& profile, const Inspection& inspection) {
         json["samples"].push_back(sample_json(sample));
     return json;
 }
-
-} // namespace
 
 std::string profiles_json(std::span<const SeamProfile> profiles, const Inspection& inspection,
                           const std::string& tool_version) {

@@ -1,4 +1,7 @@
+#include "keiko/report/content/triaged_faults.h"
 #include "keiko/report/json/json_parts.h"
+
+#include <algorithm>
 
 namespace keiko {
 namespace {
@@ -24,7 +27,42 @@ Json item_json(const TriageItem& item) {
             {"mirrored", item.mirrored}};
 }
 
+/// The profile of the stretch that shows most of an item, or null.
+Json profile_of(const TriageItem& item, const TriagedFaults& faults, const Inspection& inspection) {
+    if (item.seams.empty()) return {};
+    const auto found = std::find_if(
+        faults.profiles.begin(), faults.profiles.end(),
+        [&](const SeamProfile& profile) { return profile.seam == item.seams.front(); });
+    return found == faults.profiles.end() ? Json() : profile_json(*found, inspection);
+}
+
+Json fault_json(const TriageItem& item, const TriagedFaults& faults, const Inspection& inspection) {
+    const Check& worst = inspection.findings.at(item.findings.front());
+    Json json = item_json(item);
+    json["verdict"] = name_of(worst.worst.verdict);
+    json["faces"] = worst.faces;
+    json["message"] = worst.message;
+    json["place"] = point(item.place);
+    json["profile"] = profile_of(item, faults, inspection);
+    return json;
+}
+
 } // namespace
+
+std::string faults_json(const TriagedFaults& faults, const Inspection& inspection,
+                        const std::string& tool_version) {
+    Json json = {{"format", "keiko-faults/1"},
+                 {"tool", {{"name", "keiko"}, {"version", tool_version}}},
+                 {"verdict", name_of(inspection.verdict)},
+                 {"preset", inspection.preset.name},
+                 {"items", Json::array()},
+                 {"hidden", Json::array()}};
+    for (const TriageItem& item : faults.triage.items)
+        json["items"].push_back(fault_json(item, faults, inspection));
+    for (const TriageItem& item : faults.triage.hidden)
+        json["hidden"].push_back(fault_json(item, faults, inspection));
+    return text_of(json);
+}
 
 Json triage_json(const Triage& triage) {
     Json json = {{"items", Json::array()}, {"hidden", Json::array()}};

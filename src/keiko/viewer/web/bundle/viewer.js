@@ -145,8 +145,8 @@ function choice(into, names, pressed, choose) {
     return made;
   }));
 }
-function showPairs(list, pairs) {
-  list.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
+function showPairs(list2, pairs) {
+  list2.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
 }
 function showFacts(facts2) {
   const { lower, upper } = facts2.bounds;
@@ -174,24 +174,195 @@ function showRows(planes, selected, select, change) {
     };
     return input;
   };
-  const lines = planes.map((_, row) => element("tr", [
+  const lines2 = planes.map((_, row) => element("tr", [
     element("td", [element("input", "", { type: "radio", name: "row", checked: row === selected, onchange: () => select(row) })]),
     element("td", [number(row, "lamps", 1)]),
     element("td", [number(row, "pitch", 1)]),
     element("td", [number(row, "diameter", 1)])
   ]));
   const head = element("tr", ["row", "lamps", "pitch mm", "Ø mm"].map((name) => element("th", name)));
-  byId("rows").replaceChildren(element("table", [head, ...lines]));
+  byId("rows").replaceChildren(element("table", [head, ...lines2]));
 }
 function showSeams(seams, fly) {
   const order = ["fail", "undecided", "pass"];
   const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
-  const lines = sorted.map((seam) => element("tr", [
+  const lines2 = sorted.map((seam) => element("tr", [
     element("td", seam.verdict, { className: seam.verdict }),
     element("td", seam.kind),
     element("td", [button(seam.faces, () => fly(seam))])
   ]));
-  byId("seams").replaceChildren(seams.length > 0 ? element("table", lines) : element("p", "no seams"));
+  byId("seams").replaceChildren(seams.length > 0 ? element("table", lines2) : element("p", "no seams"));
+}
+
+// source/profile_plot.ts
+function plotted(profile, mending) {
+  if (mending === "position") return ["gap", profile.gap, (s) => s.gap];
+  const { curvature } = profile;
+  if (mending === "curvature" && curvature)
+    return ["curvature mismatch", curvature, (s) => curvature.formula === "catia" ? s.catia : s.alias];
+  return ["angle", profile.angle, (s) => s.angle];
+}
+var wide = 320;
+var high = 90;
+var top = 14;
+function svg(tag, attributes, text = "") {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  made.textContent = text;
+  return made;
+}
+function lines(profile, value, scale) {
+  const found = [];
+  let piece = -1;
+  for (const sample of profile.samples) {
+    const v = value(sample);
+    if (v === null || v === void 0) piece = -1;
+    else {
+      if (sample.piece !== piece) found.push([]);
+      piece = sample.piece;
+      found[found.length - 1].push(`${(sample.along / profile.length * wide).toFixed(1)},${scale(v).toFixed(1)}`);
+    }
+  }
+  return found.map((points) => points.join(" "));
+}
+function profilePlot(profile, mending) {
+  const [name, quantity, value] = plotted(profile, mending);
+  const unit2 = quantity?.unit === "1" ? "" : ` ${quantity?.unit ?? ""}`, limit = quantity?.limit ?? null;
+  const largest = Math.max(quantity?.largest ?? 0, limit ?? 0, 1e-12) * 1.05;
+  const scale = (v) => top + (high - top) * (1 - v / largest);
+  const title = `${name} up to ${quantity?.largest.toPrecision(3) ?? "?"}${unit2} on ${profile.length.toFixed(1)} mm` + (limit === null ? "" : `, limit ${limit}${unit2}`);
+  const plot = svg("svg", { viewBox: `0 0 ${wide} ${high + 1}`, class: "plot", role: "img", "aria-label": title });
+  plot.append(svg("text", { x: 0, y: 10 }, title));
+  if (limit !== null) plot.append(svg("line", { class: "limit", x1: 0, x2: wide, y1: scale(limit), y2: scale(limit) }));
+  for (const points of lines(profile, value, scale)) plot.append(svg("polyline", { points }));
+  return plot;
+}
+
+// source/server.ts
+function tokenOf() {
+  const given = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (given) {
+    sessionStorage.setItem("token", given);
+    history.replaceState(null, "", location.pathname);
+  }
+  return sessionStorage.getItem("token") ?? "";
+}
+var headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
+async function ask(method, path, body, signal) {
+  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body ?? "", signal });
+  if (reply.ok) return reply;
+  const text = await reply.text();
+  let reason = text;
+  try {
+    reason = JSON.parse(text).error;
+  } catch {
+  }
+  throw new Error(`${path}: ${reason}`);
+}
+var facts = async () => (await ask("GET", "/scene")).json();
+var newRig = async (toml) => (await ask("PUT", "/rig", toml)).json();
+var vector = (v) => `[${v.join(", ")}]`;
+function planeText(plane) {
+  return [
+    "[[c_plane]]",
+    `origin = ${vector(plane.origin)}`,
+    `u = ${vector(plane.u)}`,
+    `v = ${vector(plane.v)}`,
+    `lamps = ${plane.lamps}`,
+    `pitch = ${plane.pitch}`,
+    `diameter = ${plane.diameter}`,
+    `luminance = ${vector(plane.luminance)}`,
+    `caps = "${plane.caps}"`,
+    `mirror = "${plane.mirror}"`
+  ].join("\n");
+}
+function cameraText(camera) {
+  const lens = camera.projection === "orthographic" ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
+  return [
+    `projection = "${camera.projection}"`,
+    `eye = ${vector(camera.eye)}`,
+    `target = ${vector(camera.target)}`,
+    `up = ${vector(camera.up)}`,
+    lens
+  ].join("\n");
+}
+var viewText = (camera) => `format = "keiko-view/1"
+${cameraText(camera)}
+`;
+function requestText(camera, planes, more = "") {
+  return [
+    'format = "keiko-view-request/1"',
+    more,
+    planes?.length === 0 ? "c_plane = []" : "",
+    "[camera]",
+    cameraText(camera),
+    `size = [${camera.width}, ${camera.height}]`,
+    ...(planes ?? []).map(planeText),
+    ""
+  ].join("\n");
+}
+async function followProgress(tell) {
+  const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  for (; ; ) {
+    const { value, done } = await reader.read();
+    if (done) return;
+    const lines2 = (text + value).split("\n");
+    text = lines2.pop();
+    for (const line of lines2)
+      if (line.startsWith("data: ")) {
+        const { stage, fraction } = JSON.parse(line.slice(6));
+        tell(stage, fraction);
+      }
+  }
+}
+
+// source/faults.ts
+var shown = 0.16;
+function closeUp(host, fault) {
+  const { upper, lower } = host.facts.bounds, height = shown * length(difference(upper, lower));
+  const view = host.facts.views.find(({ name }) => name === fault.view);
+  if (!view) return lookingAt(host.camera(), fault.place, 3 * height);
+  const away = length(difference(fault.place, view.camera.eye));
+  return {
+    ...view.camera,
+    target: fault.place,
+    orthographic_height: height,
+    vertical_fov: 2 * Math.atan(height / (2 * away)) * 180 / Math.PI
+  };
+}
+function sightOf(fault) {
+  const seen = fault.width >= 0.05 ? ` · breaks a reflection by ${fault.width.toFixed(1)}′` : "";
+  const long = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
+  return fault.mending + seen + long + (fault.mirrored ? " · on both sides" : "");
+}
+function entry(host, fault) {
+  const into = element("div");
+  const go = () => {
+    host.lookFrom(closeUp(host, fault));
+    if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
+  };
+  return element("li", [
+    button(fault.faces, go),
+    element("div", fault.message, { className: fault.verdict }),
+    element("div", sightOf(fault), { className: "soft" }),
+    into
+  ]);
+}
+function list(host, faults, start2) {
+  return element("ol", faults.map((fault) => entry(host, fault)), { start: start2 });
+}
+function faultsPanel(into, host) {
+  const fetchAll = async () => {
+    try {
+      const { items, hidden } = await (await ask("GET", "/inspect")).json();
+      into.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
+      if (hidden.length > 0) into.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  into.replaceChildren(button("inspect", () => void fetchAll()));
 }
 
 // source/shader.ts
@@ -829,85 +1000,6 @@ function quantile(values, share) {
   return sorted[Math.round(share * (sorted.length - 1))] ?? 0;
 }
 
-// source/server.ts
-function tokenOf() {
-  const given = new URLSearchParams(location.hash.slice(1)).get("token");
-  if (given) {
-    sessionStorage.setItem("token", given);
-    history.replaceState(null, "", location.pathname);
-  }
-  return sessionStorage.getItem("token") ?? "";
-}
-var headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
-async function ask(method, path, body, signal) {
-  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body ?? "", signal });
-  if (reply.ok) return reply;
-  const text = await reply.text();
-  let reason = text;
-  try {
-    reason = JSON.parse(text).error;
-  } catch {
-  }
-  throw new Error(`${path}: ${reason}`);
-}
-var facts = async () => (await ask("GET", "/scene")).json();
-var newRig = async (toml) => (await ask("PUT", "/rig", toml)).json();
-var vector = (v) => `[${v.join(", ")}]`;
-function planeText(plane) {
-  return [
-    "[[c_plane]]",
-    `origin = ${vector(plane.origin)}`,
-    `u = ${vector(plane.u)}`,
-    `v = ${vector(plane.v)}`,
-    `lamps = ${plane.lamps}`,
-    `pitch = ${plane.pitch}`,
-    `diameter = ${plane.diameter}`,
-    `luminance = ${vector(plane.luminance)}`,
-    `caps = "${plane.caps}"`,
-    `mirror = "${plane.mirror}"`
-  ].join("\n");
-}
-function cameraText(camera) {
-  const lens = camera.projection === "orthographic" ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
-  return [
-    `projection = "${camera.projection}"`,
-    `eye = ${vector(camera.eye)}`,
-    `target = ${vector(camera.target)}`,
-    `up = ${vector(camera.up)}`,
-    lens
-  ].join("\n");
-}
-var viewText = (camera) => `format = "keiko-view/1"
-${cameraText(camera)}
-`;
-function requestText(camera, planes, more = "") {
-  return [
-    'format = "keiko-view-request/1"',
-    more,
-    planes?.length === 0 ? "c_plane = []" : "",
-    "[camera]",
-    cameraText(camera),
-    `size = [${camera.width}, ${camera.height}]`,
-    ...(planes ?? []).map(planeText),
-    ""
-  ].join("\n");
-}
-async function followProgress(tell) {
-  const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
-  let text = "";
-  for (; ; ) {
-    const { value, done } = await reader.read();
-    if (done) return;
-    const lines = (text + value).split("\n");
-    text = lines.pop();
-    for (const line of lines)
-      if (line.startsWith("data: ")) {
-        const { stage, fraction } = JSON.parse(line.slice(6));
-        tell(stage, fraction);
-      }
-  }
-}
-
 // source/main.ts
 var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
 var rest = 300;
@@ -1020,8 +1112,8 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
   fit() {
     const room = this.canvas.parentElement, { width, height } = this.camera;
     const scale = Math.min(room.clientWidth / width, room.clientHeight / height);
-    for (const shown of [this.canvas, this.still])
-      Object.assign(shown.style, { width: `${width * scale}px`, height: `${height * scale}px` });
+    for (const shown2 of [this.canvas, this.still])
+      Object.assign(shown2.style, { width: `${width * scale}px`, height: `${height * scale}px` });
   }
   listen() {
     this.canvas.onpointerdown = (event) => {
@@ -1133,8 +1225,17 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
       button("save", () => void this.save()),
       button("open", () => this.open())
     );
+    faultsPanel(byId("faults"), this.host());
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
+  }
+  host() {
+    return {
+      facts: this.facts,
+      camera: () => this.camera,
+      lookFrom: (camera) => this.lookFrom(camera),
+      fail: (error) => this.fail(error)
+    };
   }
   lookFrom(camera) {
     this.camera = sized(camera, this.camera.width, this.camera.height);

@@ -1,6 +1,8 @@
 import { axesOf, Camera, dollied, lookingAt, orbited, panned, rayOf, sized } from "./camera";
 import { readPasses } from "./deep_buffer";
 import { Facts, Plane, Rig } from "./facts";
+import { faultsPanel } from "./faults";
+import { Host } from "./host";
 import { button, byId, choice, download, showFacts, showPairs, showRows, showSeams } from "./panel";
 import { Look, looks, Picture } from "./picture";
 import { ask, facts as fetchFacts, followProgress, newRig, requestText, viewText } from "./server";
@@ -236,8 +238,16 @@ class Viewer {
     byId("lamp-buttons").replaceChildren(
       button("place for this view", () => void this.run("/place", async (reply) => this.setRig((await reply.json()).rig))),
       button("save", () => void this.save()), button("open", () => this.open()));
+    faultsPanel(byId("faults"), this.host());
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
+  }
+
+  private host(): Host {
+    return {
+      facts: this.facts, camera: () => this.camera, lookFrom: (camera) => this.lookFrom(camera),
+      fail: (error) => this.fail(error),
+    };
   }
 
   private lookFrom(camera: Camera): void {

@@ -1,0 +1,74 @@
+import { Camera, lookingAt } from "./camera";
+import { Host } from "./host";
+import { button, element } from "./panel";
+import { Profile, profilePlot } from "./profile_plot";
+import { ask } from "./server";
+import { difference, length, Vector } from "./vector";
+
+/** A fault of keiko-faults/1, as far as the page shows it. */
+export interface Fault {
+  mending: string;
+  verdict: string;
+  faces: string;
+  message: string;
+  place: Vector;
+  view: string;
+  length: number;
+  visible: number;
+  width: number;
+  mirrored: boolean;
+  profile: Profile | null;
+}
+
+interface Faults { verdict: string; items: Fault[]; hidden: Fault[] }
+
+/** Share of the body's size that a close-up shows from top to bottom. */
+const shown = 0.16;
+
+/** The eye of the view that shows most of a fault, turned to the fault. */
+export function closeUp(host: Host, fault: Fault): Camera {
+  const { upper, lower } = host.facts.bounds, height = shown * length(difference(upper, lower));
+  const view = host.facts.views.find(({ name }) => name === fault.view);
+  if (!view) return lookingAt(host.camera(), fault.place, 3 * height);
+  const away = length(difference(fault.place, view.camera.eye));
+  return {
+    ...view.camera, target: fault.place, orthographic_height: height,
+    vertical_fov: 2 * Math.atan(height / (2 * away)) * 180 / Math.PI,
+  };
+}
+
+function sightOf(fault: Fault): string {
+  const seen = fault.width >= 0.05 ? ` · breaks a reflection by ${fault.width.toFixed(1)}′` : "";
+  const long = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
+  return fault.mending + seen + long + (fault.mirrored ? " · on both sides" : "");
+}
+
+function entry(host: Host, fault: Fault): HTMLElement {
+  const into = element("div");
+  const go = (): void => {
+    host.lookFrom(closeUp(host, fault));
+    if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
+  };
+  return element("li", [
+    button(fault.faces, go), element("div", fault.message, { className: fault.verdict }),
+    element("div", sightOf(fault), { className: "soft" }), into,
+  ]);
+}
+
+function list(host: Host, faults: Fault[], start: number): HTMLElement {
+  return element("ol", faults.map((fault) => entry(host, fault)), { start });
+}
+
+/** A button that fetches the faults in the order of mending; a click on one flies there. */
+export function faultsPanel(into: HTMLElement, host: Host): void {
+  const fetchAll = async (): Promise<void> => {
+    try {
+      const { items, hidden }: Faults = await (await ask("GET", "/inspect")).json();
+      into.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
+      if (hidden.length > 0) into.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  into.replaceChildren(button("inspect", () => void fetchAll()));
+}

@@ -1,0 +1,73 @@
+#include "keiko/viewer/viewed_scene.h"
+
+#include "keiko/api/results.h"
+#include "keiko/base/error.h"
+
+#include "tests/support/temporary_folder.h"
+#include "tests/unit/viewer/hood.h"
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <thread>
+
+namespace keiko::viewer {
+
+TEST(ViewedScene, ShowsTheRigThatWasSetLast) {
+    const auto hood = test::viewed_hood();
+    EXPECT_EQ(hood->rig().sources.size(), 1u);
+    hood->set_rig({});
+    EXPECT_TRUE(hood->rig().sources.empty());
+}
+
+TEST(ViewedScene, TakesCameraAndLampsOfARequestInPlaceOfItsOwn) {
+    const auto hood = test::viewed_hood();
+    EXPECT_EQ(hood->view_of({}).name, "small");
+    ViewRequest request;
+    request.camera = test::small_camera();
+    request.camera->width = 7;
+    request.planes.emplace();
+    EXPECT_EQ(hood->view_of(request).camera.width, 7);
+    EXPECT_TRUE(hood->rig_of(request).sources.empty());
+    EXPECT_EQ(hood->rig().sources.size(), 1u);
+}
+
+TEST(ViewedScene, JudgesTheBodyThatItHasWithoutItsFile) {
+    std::unique_ptr<ViewedScene> viewed;
+    std::string expected;
+    {
+        const keiko::test::TemporaryFolder folder;
+        const auto file = folder.path() / "hood.step";
+        std::filesystem::copy_file(keiko::test::repository("surfaces/hood.step"), file);
+        const std::filesystem::path inputs[] = {file};
+        expected = inspection_json(check_models(inputs).inspection, version());
+        viewed = std::make_unique<ViewedScene>(open_scene(inputs),
+                                               NamedView{"small", test::small_camera(), 0},
+                                               LightRig(), CheckOptions());
+    }
+    EXPECT_EQ(viewed->inspection({}), expected);
+}
+
+TEST(ViewedScene, MakesATextOnceForAllWhoAskAtOnce) {
+    const auto hood = test::viewed_hood();
+    std::atomic<int> begun = 0;
+    const Job job{.progress = [&](const Progress& progress) { begun += progress.fraction == 0; }};
+    const std::string first = hood->inspection(job);
+    const int once = begun;
+    EXPECT_GT(once, 0);
+    {
+        std::vector<std::jthread> others;
+        for (int i = 0; i < 3; ++i)
+            others.emplace_back([&] { EXPECT_EQ(hood->inspection(job), first); });
+    }
+    EXPECT_EQ(begun, once);
+}
+
+TEST(ViewedScene, ATextThatWasStoppedIsMadeByTheNextWhoAsks) {
+    const auto hood = test::viewed_hood();
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(hood->inspection({.stop = stop.get_token()}), Cancelled);
+    EXPECT_NE(hood->inspection({}).find("keiko-inspection/1"), std::string::npos);
+}
+
+} // namespace keiko::viewer
