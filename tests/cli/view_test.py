@@ -107,6 +107,10 @@ class ViewTest(KeikoTest):
         self.assertEqual(answer[0], status, answer[2][:300])
         return json.loads(answer[2])["error"]
 
+    def view_file(self, camera: dict) -> str:
+        return 'format = "keiko-view/1"\n' + "".join(
+            f"{key} = {json.dumps(camera[key])}\n" for key in ("eye", "target", "up", "vertical_fov"))
+
 
 class Refusals(ViewTest):
     """One server for all: none of these may harm it."""
@@ -319,6 +323,65 @@ class Answers(ViewTest):
 
     def test_errors_of_long_answers_are_answers(self):
         self.error_of(self.server.ask("POST", "/lines", "c_plane = []"), 400)
+
+
+class Reports(ViewTest):
+    """A folder of keiko inspect, opened again."""
+
+    def setUp(self):
+        super().setUp()
+        self.write("gap.step", Path(surface("seam-g1-angle.step")).read_text())
+        self.keiko("inspect", "gap.step", "-o", "out", "--view", "high-front", "--view", "top", "--size", "96x54")
+
+    def scene_of(self, server: Server) -> dict:
+        return json.loads(server.ask("GET", "/scene")[2])
+
+    def test_rig_views_and_findings_are_those_of_the_inspection(self):
+        server = self.serve("out")
+        scene = self.scene_of(server)
+        report = json.loads((self.folder / "out/report.json").read_text())
+        self.assertEqual(report["opened"], ["gap.step"])
+        self.assertEqual((scene["view"], scene["own_views"], scene["remarks"]), ("high-front", report["views"], []))
+        self.assertEqual(scene["camera"], report["views"][0]["camera"])
+        self.write("eye.toml", self.view_file(scene["camera"]))
+        self.succeed("render", "gap.step", "-o", "file.png", "--rig", "out/rig.toml", "--view", "eye.toml",
+                     "--size", "96x54")
+        self.assertEqual(server.ask("POST", "/still")[2], (self.folder / "file.png").read_bytes())
+        self.assertEqual(server.ask("GET", "/inspect")[2], (self.folder / "out/faults.json").read_bytes())
+        self.assertEqual(server.ask("GET", "/seams")[2], (self.folder / "out/report.json").read_bytes())
+
+    def test_another_of_its_views_in_another_size(self):
+        scene = self.scene_of(self.serve("out", "--view", "top", "--size", "48x27"))
+        self.assertEqual((scene["view"], scene["camera"]["width"], scene["camera"]["height"]), ("top", 48, 27))
+
+    def test_a_changed_model_is_told_and_its_findings_stay(self):
+        self.write("gap.step", Path(surface("seam-g0-gap.step")).read_text())
+        server = self.serve("out")
+        remark, = self.scene_of(server)["remarks"]
+        self.assertEqual(remark["entity"], "gap.step")
+        self.assertIn("has changed since the inspection", remark["message"])
+        self.assertEqual(server.ask("GET", "/inspect")[2], (self.folder / "out/faults.json").read_bytes())
+        self.assertIn("gap.step: has changed since the inspection", server.stop()[1])
+
+    def test_a_report_that_cannot_be_opened_says_why(self):
+        good = (self.folder / "out/report.json").read_text()
+
+        def error_of() -> str:
+            run = self.keiko("view", "out", "--no-browser")
+            self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1), run.stderr)
+            return run.stderr
+        for wrong, reason in (("{", "no JSON at byte"), ("{}", "is not of the format keiko-report/1"),
+                              (good.replace('"opened"', '"closed"'), "a key is missing"),
+                              (good.replace('"width": 96', '"width": 0'), "width: and height must be from 1 to 16384"),
+                              (good.replace('"gap.step"\n ],\n "views"', '"none.step"\n ],\n "views"'), "none.step")):
+            self.write("out/report.json", wrong)
+            self.assertIn("out/report.json", error_of())
+            self.assertIn(reason, error_of())
+        self.write("out/report.json", good)
+        self.write("out/faults.json", '{"format": "keiko-faults/1", "items": [{}], "hidden": []}')
+        self.assertIn("out/faults.json:items: a key is missing", error_of())
+        (self.folder / "out/faults.json").unlink()
+        self.assertIn("out/faults.json", error_of())
 
 
 class Clients(ViewTest):

@@ -38,17 +38,42 @@ void announce(const std::string& address, bool no_browser, std::optional<Address
     if (!page->show()) log_warning("there is no xdg-open: open the address in a browser");
 }
 
+/// Opens a report folder in place of the models: with its lamps, unless others are named.
+void open_report(ViewArguments& arguments) {
+    if (arguments.scene.inputs.size() != 1 || !is_report_folder(arguments.scene.inputs.front()))
+        return;
+    ReportFolder report = read_report_folder(arguments.scene.inputs.front());
+    log_remarks(report.changes);
+    arguments.scene.inputs = report.inputs;
+    if (arguments.rig == "auto") arguments.rig = report.rig.string();
+    arguments.options.report = std::move(report);
+}
+
+/// The first view of a report, or the one that is named; nullopt if it is none of the report's.
+std::optional<NamedView> view_of_report(const ViewArguments& arguments) {
+    if (!arguments.options.report) return {};
+    const PictureSize size = arguments.scene.picture_size();
+    for (NamedView seen : arguments.options.report->views) {
+        if (!arguments.view.empty() && arguments.view != seen.name) continue;
+        if (size.width > 0) seen.camera.width = size.width, seen.camera.height = size.height;
+        return seen;
+    }
+    return {};
+}
+
 int view(ViewArguments arguments, const Job& job) {
+    open_report(arguments);
+    const std::optional<NamedView> of_report = view_of_report(arguments);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);
-    require_view_names(names);
+    if (!of_report) require_view_names(names);
     if (arguments.rig != "auto") read_rig_aloud(arguments.rig);
     if (!arguments.preset.empty())
         arguments.options.check.preset = preset_by_name_or_file(arguments.preset);
     arguments.options.check.load = load_options(arguments.scene);
     Scene scene = arguments.scene.open(job);
     arguments.scene.warn_of_axes(scene, names);
-    const NamedView seen = choose_views(scene, names, 1, job).front();
+    const NamedView seen = of_report ? *of_report : choose_views(scene, names, 1, job).front();
     LightRig rig = rig_of(scene, arguments, seen, job);
     // It ends with the server: the page may be opened again as long as that runs.
     std::optional<AddressPage> page;
@@ -64,7 +89,7 @@ void add_view(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<ViewArguments>();
     CLI::App& command = *app.add_subcommand(
         "view", "show the body under lamps in the browser, to turn it and to drag the lamps");
-    arguments->scene.add_to(command, "MODEL|SCENE");
+    arguments->scene.add_to(command, "MODEL|SCENE|REPORT");
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);
     command.add_option("--view", arguments->view, "view by name, auto, or scene")
@@ -86,6 +111,7 @@ void add_view(CLI::App& app, Session& session) {
     command.add_flag("--no-browser", arguments->no_browser,
                      "print the address, and leave it to you to open it");
     command.footer(
+        "A folder of keiko inspect opens with its lamps, views and faults.\n"
         "It shows the scene until Ctrl-C. The address holds the key to it: keep it to yourself.\n"
         "Example: keiko view hood.step --view high-front");
     session.add_command(command, [arguments](const Job& job) { return view(*arguments, job); });

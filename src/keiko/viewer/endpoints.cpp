@@ -108,7 +108,7 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
 }
 
 HttpReply Endpoints::scene_facts() const {
-    return text_reply(view_json(view_facts(scene_.scene(), scene_.view()), scene_.rig()));
+    return text_reply(view_json(scene_.facts_of_view(), scene_.rig()));
 }
 
 HttpReply Endpoints::rig_file() const {

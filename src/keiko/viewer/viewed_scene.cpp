@@ -8,11 +8,25 @@
 
 namespace keiko::viewer {
 
-ViewedScene::ViewedScene(Scene scene, NamedView view, LightRig rig, CheckOptions check)
+ViewedScene::ViewedScene(Scene scene, NamedView view, LightRig rig, CheckOptions check,
+                         const std::optional<ReportFolder>& report)
     : scene_(std::move(scene)),
       view_(std::move(view)),
       check_(std::move(check)),
-      rig_(std::move(rig)) {}
+      rig_(std::move(rig)) {
+    if (!report) return;
+    own_views_ = report->views;
+    remarks_ = report->changes;
+    inspection_.value = report->report;
+    faults_.value = report->faults;
+}
+
+ViewFacts ViewedScene::facts_of_view() const {
+    ViewFacts facts = view_facts(scene_, view_);
+    facts.own_views = own_views_;
+    facts.remarks = remarks_;
+    return facts;
+}
 
 LightRig ViewedScene::rig() const {
     const std::scoped_lock lock(rig_access_);

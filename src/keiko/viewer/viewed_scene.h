@@ -8,6 +8,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace keiko::viewer {
 
@@ -15,13 +16,17 @@ namespace keiko::viewer {
 /// be replaced, nothing else. May be used by several threads.
 class ViewedScene {
 public:
-    /// `check`: how the geometry is judged once somebody asks.
-    ViewedScene(Scene scene, NamedView view, LightRig rig, CheckOptions check);
+    /// `check`: how the geometry is judged once somebody asks. `report`: an inspection whose
+    /// findings are shown instead.
+    ViewedScene(Scene scene, NamedView view, LightRig rig, CheckOptions check,
+                const std::optional<ReportFolder>& report = {});
 
     /// The scene.
     const Scene& scene() const { return scene_; }
     /// The view that it was opened with.
     const NamedView& view() const { return view_; }
+    /// The scene as a page needs it, with the views and changed files of the report.
+    ViewFacts facts_of_view() const;
     /// The rig that is shown.
     LightRig rig() const;
     /// Shows other lamps.
@@ -35,6 +40,7 @@ public:
     /// Throws Cancelled.
     std::string facts(const Job& job);
     /// The judged geometry, "keiko-inspection/1", made as the facts. Throws Error, and Cancelled.
+    /// That of a report is its own text, "keiko-report/1".
     std::string inspection(const Job& job);
     /// Its faults in the order of mending, "keiko-faults/1", made as the inspection.
     std::string faults(const Job& job);
@@ -55,6 +61,8 @@ private:
     Scene scene_;
     NamedView view_;
     CheckOptions check_;
+    std::vector<NamedView> own_views_;
+    Diagnostics remarks_;
     mutable std::mutex rig_access_;
     LightRig rig_;
     Kept<Inspection> judged_;

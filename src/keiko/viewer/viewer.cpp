@@ -12,7 +12,7 @@ namespace keiko::viewer {
 
 void show(Scene scene, const NamedView& view, LightRig rig, const ViewerOptions& options,
           const std::function<void(const std::string& address)>& ready, const Job& job) {
-    ViewedScene viewed(std::move(scene), view, std::move(rig), options.check);
+    ViewedScene viewed(std::move(scene), view, std::move(rig), options.check, options.report);
     LatestWork work;
     const Endpoints endpoints(viewed, work, job.threads);
     HttpServer server(options.port);

@@ -5,14 +5,16 @@
 #include "keiko/base/job.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 
 namespace keiko::viewer {
 
 /// Options of show.
 struct ViewerOptions {
-    int port = 0;         ///< on 127.0.0.1; 0: one that is free
-    CheckOptions check{}; ///< how the geometry is judged once a page asks
+    int port = 0;                         ///< on 127.0.0.1; 0: one that is free
+    CheckOptions check{};                 ///< how the geometry is judged once a page asks
+    std::optional<ReportFolder> report{}; ///< whose findings are shown instead
 };
 
 /// Shows a scene to pages on this machine until the job is to stop. `ready` gets the address to

@@ -70,7 +70,9 @@ ViewFacts view_facts(const Scene& scene, const NamedView& view) {
                     .materials = {},
                     .reflections = options.max_depth,
                     .min_weight = options.min_weight,
-                    .views = {}};
+                    .views = {},
+                    .own_views = {},
+                    .remarks = {}};
     for (const auto& input : scene.inputs) facts.inputs.push_back(input.filename().string());
     for (std::size_t i = 0; i < scene.model.faces.size(); ++i) {
         const Face& face = scene.model.faces[i];

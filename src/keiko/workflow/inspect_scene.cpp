@@ -173,6 +173,7 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     InspectResult result;
     result.report.tool_version = version();
     result.report.inputs = inputs_of(scene, options);
+    for (const auto& file : scene.inputs) result.report.opened.push_back(file.string());
     result.report.views = views;
     if (options.register_hits)
         result.hits = register_hits(scene.tracer, scene.model, views,

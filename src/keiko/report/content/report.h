@@ -63,6 +63,7 @@ struct InputFile {
 struct Report {
     std::string tool_version;                 ///< version of Keiko that made it
     std::vector<InputFile> inputs;            ///< models, scene, rig and views, each once
+    std::vector<std::string> opened;          ///< the models in order, or the scene file
     std::vector<NamedView> views;             ///< of `pictures`, in order
     Inspection inspection;                    ///< seams, faces and their verdicts
     std::optional<CoverageSummary> coverage;  ///< of lamps that were placed or rated
@@ -113,12 +114,12 @@ std::vector<std::uint32_t> first_seams(const Report& report, std::size_t most);
 constexpr std::size_t most_profiles = 20;
 
 /// The whole report as "keiko-report/1", in the manner of inspection_json. Inspection: tool {name,
-/// version}, inputs [{path, sha256}], views [{name, camera}] and the keys of inspection_json, with
-/// the verdict of lines and seams together. Lines: lines {rig, look, preset, verdict, counts,
-/// crossings} with the keys of lines_json, or null. Triage: triage {items, hidden}, both [{mending,
-/// findings, seams, face (numbers), length (mm), visible (share of 1), width (arc minutes), weight
-/// (square arc minutes), view, mirrored}]. Coverage: coverage {rig, covered, unreached}. Pictures:
-/// pictures, line_pictures, curvature_pictures and close_ups
+/// version}, inputs [{path, sha256}], opened [paths], views [{name, camera}] and the keys of
+/// inspection_json, with the verdict of lines and seams together. Lines: lines {rig, look, preset,
+/// verdict, counts, crossings} with the keys of lines_json, or null. Triage: triage {items,
+/// hidden}, both [{mending, findings, seams, face (numbers), length (mm), visible (share of 1),
+/// width (arc minutes), weight (square arc minutes), view, mirrored}]. Coverage: coverage {rig,
+/// covered, unreached}. Pictures: pictures, line_pictures, curvature_pictures and close_ups
 /// [{title, file, width, height, markers [{number, x, y}]}]. Close-ups have the number of their
 /// seam or face, or the rank of their crossing, from 1. The report holds no time, so that every run
 /// gives the same bytes.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/error.h"
 #include "keiko/base/export.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/math/bounds.h"
@@ -36,6 +37,8 @@ struct ViewFacts {
     int reflections = 3;               ///< followed along one ray, in pictures
     double min_weight = 1e-3;          ///< reflections of less weight than this end the path
     std::vector<NamedView> views;      ///< the standard ones, of the opened view's size
+    std::vector<NamedView> own_views;  ///< of the report that was opened
+    Diagnostics remarks;               ///< on files that are not those of the report
 };
 
 /// "keiko-view-facts/1" of docs/file-formats.md: the scene, and the rig as rig_json has it.

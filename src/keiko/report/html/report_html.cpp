@@ -70,7 +70,10 @@ std::string footer(const Report& report) {
            "straddles the limit. Faces: curvature is positive where a face bends towards its "
            "outward "
            "normal; \"to\" tells how far beyond the value found the extreme may lie. "
-           "Lengths in mm, places in the coordinates of the model.</p><p>Keiko " +
+           "Lengths in mm, places in the coordinates of the model.</p><p>To turn the body, drag "
+           "the "
+           "lamps and fly to the faults: <code>keiko view FOLDER</code>, the folder of this "
+           "file.</p><p>Keiko " +
            html_escaped(report.tool_version) + "</p></footer>";
 }
 

@@ -1,6 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/report/content/acceptance_texts.h"
-#include "keiko/report/markup/json_text.h"
+#include "keiko/report/markup/json_errors.h"
 
 #include <cmath>
 #include <initializer_list>
@@ -120,22 +120,6 @@ Json entry_json(const Acceptance& entry) {
     return json;
 }
 
-/// Calls `read`, whose errors then name the file and the part of it.
-template <class Read>
-auto named(const std::string& file, const std::string& part, const Read& read) {
-    try {
-        return read();
-    } catch (const Error& error) {
-        const std::string& key = error.where();
-        throw Error(file, part.empty() || key.empty() ? part + key : part + ", " + key,
-                    error.reason());
-    } catch (const Json::parse_error& error) {
-        throw Error(file, part, "no JSON at byte " + std::to_string(error.byte));
-    } catch (const Json::exception&) {
-        throw Error(file, part, "a key is missing or not of the right kind");
-    }
-}
-
 Json list_from(const std::string& text) {
     Json json = Json::parse(text);
     require(json.is_object() && json.contains("format") && json["format"] == format, "",
@@ -181,11 +165,11 @@ std::string acceptances_json(std::span<const Acceptance> entries) {
 }
 
 std::vector<Acceptance> acceptances_from_json(const std::string& text, const std::string& file) {
-    const Json list = named(file, "", [&] { return list_from(text); });
+    const Json list = with_errors_named(file, "", [&] { return list_from(text); });
     std::vector<Acceptance> entries;
     for (const Json& json : list) {
         const std::string part = "entry " + std::to_string(entries.size() + 1);
-        entries.push_back(named(file, part, [&] { return entry_from(json); }));
+        entries.push_back(with_errors_named(file, part, [&] { return entry_from(json); }));
         for (std::size_t i = 0; i + 1 < entries.size(); ++i)
             if (accept_the_same(entries[i], entries.back()))
                 throw Error(file, part, "accepts what entry " + std::to_string(i + 1) + " does");
@@ -196,11 +180,12 @@ std::vector<Acceptance> acceptances_from_json(const std::string& text, const std
 std::vector<Acceptance> acceptances_of_report(const std::string& text, const std::string& file,
                                               std::span<const std::size_t> items,
                                               const AcceptanceNote& note) {
-    const Json report = named(file, "", [&] { return report_from(text); });
+    const Json report = with_errors_named(file, "", [&] { return report_from(text); });
     std::vector<Acceptance> entries;
     for (const std::size_t item : items)
-        entries.push_back(named(file, "item " + std::to_string(item),
-                                [&] { return acceptance_of_item(report, item, note); }));
+        entries.push_back(with_errors_named(file, "item " + std::to_string(item), [&] {
+            return acceptance_of_item(report, item, note);
+        }));
     return entries;
 }
 

@@ -1,5 +1,8 @@
 #include "keiko/report/json/json_parts.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace keiko {
 namespace {
 
@@ -50,6 +53,30 @@ Camera camera_from(const Json& json) {
     camera.orthographic_height = json.at("orthographic_height");
     camera.width = int_at(json, "width");
     camera.height = int_at(json, "height");
+    return camera;
+}
+
+Camera checked_camera_from(const Json& json) {
+    constexpr int largest_size = 16384;
+    const auto require = [](bool holds, const char* key, const char* reason) {
+        if (!holds) throw Error("", key, reason);
+    };
+    const Json& projection = json.at("projection");
+    require(projection == "perspective" || projection == "orthographic", "projection",
+            "is neither perspective nor orthographic");
+    const Camera camera = camera_from(json);
+    const Vec3 way = camera.target - camera.eye;
+    require(way.length() > 0 && std::isfinite(way.length()), "target", "must differ from eye");
+    require(way.cross(camera.up).length() > 1e-6 * way.length() * camera.up.length(), "up",
+            "must be a direction other than that of the view");
+    require(camera.projection == Projection::orthographic
+                ? camera.orthographic_height > 0 && std::isfinite(camera.orthographic_height)
+                : camera.vertical_fov > 0 && camera.vertical_fov < 180,
+            camera.projection == Projection::orthographic ? "orthographic_height" : "vertical_fov",
+            "is out of range");
+    require(std::min(camera.width, camera.height) >= 1 &&
+                std::max(camera.width, camera.height) <= largest_size,
+            "width", "and height must be from 1 to 16384 pixels");
     return camera;
 }
 

@@ -13,6 +13,9 @@ namespace keiko {
 Json camera_json(const Camera& camera);
 /// Inverse of camera_json. Throws Json::exception.
 Camera camera_from(const Json& json);
+/// Inverse of camera_json for a file of the user's. Throws Json::exception, and Error with the key
+/// of a value that no camera can have.
+Camera checked_camera_from(const Json& json);
 
 /// view, problem, pixels, coverage_flips, face_flips, flips_within, layers [{layer, beyond,
 /// largest, excess, root_mean_square, x, y, within}], width, height, before, after, difference.

@@ -223,6 +223,7 @@ std::string report_json(const Report& report) {
     Json json = {{"format", "keiko-report/1"},
                  {"tool", {{"name", "keiko"}, {"version", report.tool_version}}},
                  {"inputs", Json::array()},
+                 {"opened", report.opened},
                  {"views", Json::array()}};
     for (const InputFile& input : report.inputs)
         json["inputs"].push_back({{"path", input.path}, {"sha256", input.sha256}});

@@ -63,9 +63,9 @@ Json faces_json(const ViewFacts& facts) {
     return faces;
 }
 
-Json views_json(const ViewFacts& facts) {
+Json views_json(const std::vector<NamedView>& all) {
     Json views = Json::array();
-    for (const NamedView& view : facts.views)
+    for (const NamedView& view : all)
         views.push_back({{"name", view.name}, {"camera", camera_json(view.camera)}});
     return views;
 }
@@ -87,7 +87,9 @@ std::string view_json(const ViewFacts& facts, const LightRig& rig) {
               {"min_weight", facts.min_weight},
               {"materials", std::move(materials)},
               {"faces", faces_json(facts)},
-              {"views", views_json(facts)},
+              {"views", views_json(facts.views)},
+              {"own_views", views_json(facts.own_views)},
+              {"remarks", diagnostics_json(facts.remarks)},
               {"rig", rig_value(rig)}};
     if (facts.ground) json["ground"] = {{"z", *facts.ground}, {"material", facts.ground_material}};
     return text_of(json);

@@ -157,7 +157,8 @@ function showFacts(facts2) {
     ["faces", String(facts2.faces.length)],
     ["size", `${size} mm`],
     ["materials", facts2.materials.map((m) => m.name).join(", ")],
-    ["Keiko", facts2.tool.version]
+    ["Keiko", facts2.tool.version],
+    ...facts2.remarks.map(({ entity, message }) => ["note", `${entity} ${message}`])
   ]);
 }
 function showRows(planes, selected, select, change) {
@@ -1213,6 +1214,7 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
     choice(byId("looks"), looks2, this.look, (name) => this.choose(name));
     const views = [
       { name: "opened", camera: this.facts.camera },
+      ...this.facts.own_views,
       ...this.facts.views.filter(({ name }) => shownViews.includes(name))
     ];
     byId("views").replaceChildren(

@@ -46,6 +46,8 @@ export interface Facts {
   materials: Material[];
   faces: { id: number; name: string; layer: string; material: number }[];
   views: { name: string; camera: Camera }[];
+  own_views: { name: string; camera: Camera }[];
+  remarks: { entity: string; message: string }[];
   rig: Rig;
 }
 

@@ -230,7 +230,7 @@ class Viewer {
 
   private showPanel(): void {
     choice(byId("looks"), looks, this.look, (name) => this.choose(name as Look));
-    const views = [{ name: "opened", camera: this.facts.camera },
+    const views = [{ name: "opened", camera: this.facts.camera }, ...this.facts.own_views,
       ...this.facts.views.filter(({ name }) => shownViews.includes(name))];
     byId("views").replaceChildren(...views.map(({ name, camera }) => button(name, () => this.lookFrom(camera))),
       button("save view", () => download("view.toml", new Blob([viewText(this.camera)]))));

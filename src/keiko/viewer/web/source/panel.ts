@@ -44,6 +44,7 @@ export function showFacts(facts: Facts): void {
     ["file", facts.inputs.join(", ")], ["view", facts.view], ["faces", String(facts.faces.length)],
     ["size", `${size} mm`], ["materials", facts.materials.map((m) => m.name).join(", ")],
     ["Keiko", facts.tool.version],
+    ...facts.remarks.map(({ entity, message }): [string, string] => ["note", `${entity} ${message}`]),
   ]);
 }
 
