@@ -321,6 +321,12 @@ class Answers(ViewTest):
         near = min(sum((a - b) ** 2 for a, b in zip(place, fault["place"])) ** 0.5 for place in ends)
         self.assertLess(near, fault["length"] / 10)
 
+    def test_a_section_is_that_of_the_check(self):
+        self.keiko("check", SCENE, "--section", "y=120", "--combs", "combs.json")
+        status, _, text = self.server.ask("POST", "/section", "y=120")
+        self.assertEqual((status, text), (200, (self.folder / "combs.json").read_bytes()))
+        self.assertIn("section", self.error_of(self.server.ask("POST", "/section", "y="), 400))
+
     def test_errors_of_long_answers_are_answers(self):
         self.error_of(self.server.ask("POST", "/lines", "c_plane = []"), 400)
 

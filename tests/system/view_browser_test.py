@@ -217,6 +217,24 @@ class Panel(Page):
         self.assertLess(away, 0.02 * fault["length"])
         self.assertEqual(self.errors(), [])
 
+    def test_a_section_is_drawn_where_the_plane_cuts(self):
+        def drawn() -> int:
+            return self.browser.execute_script(
+                "const c = document.getElementById('section-lines');"
+                "if (c.width === 0) return 0;"
+                "return c.getContext('2d').getImageData(0, 0, c.width, c.height).data.filter((x, i) => i % 4 === 3 && x > 0).length")
+        axis = self.browser.find_element(By.CSS_SELECTOR, "#section select")
+        axis.send_keys("y")
+        self.wait_for(lambda: "y=" in self.text("section") and drawn() > 500)
+        self.assertRegex(self.text("section"), r"y=-?0\.00: [0-9.]+ mm, radii from [0-9.]+ mm")
+        slider = self.browser.find_element(By.CSS_SELECTOR, "#section input")
+        slider.send_keys(Keys.ARROW_RIGHT * 3)
+        self.wait_for(lambda: "y=0.00" not in self.text("section"))
+        self.browser.find_element(By.ID, "picture").click()
+        axis.send_keys("n")
+        self.wait_for(lambda: drawn() == 0)
+        self.assertEqual(self.errors(), [])
+
     def test_lamps_are_placed_for_the_view(self):
         before = self.text("rows")
         self.press("place for this view")

@@ -102,6 +102,7 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "GET /facts") return text_reply(scene_.facts(job));
     if (asked == "GET /seams") return text_reply(scene_.inspection(job));
     if (asked == "GET /inspect") return text_reply(scene_.faults(job));
+    if (asked == "POST /section") return text_reply(scene_.section(request.body, job));
     if (asked == "POST /lines") return lines(request, job);
     if (asked == "POST /place") return place(request, job);
     return error_reply(404, "there is nothing of that name");

@@ -70,6 +70,12 @@ std::string ViewedScene::inspection(const Job& job) {
     return inspection_.get(job, [&] { return inspection_json(judged(job), version()); });
 }
 
+std::string ViewedScene::section(const std::string& plane, const Job& job) const {
+    const CombOptions options{.planes = {section_plane(plane)}, .join = check_.join};
+    const FoundCombs found = comb_curves(scene_.model, options, job);
+    return combs_json(found, options.planes, scene_.model, version());
+}
+
 std::string ViewedScene::faults(const Job& job) {
     return faults_.get(job, [&] {
         constexpr double judging = 20, ordering = 3;

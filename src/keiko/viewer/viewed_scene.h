@@ -44,6 +44,9 @@ public:
     std::string inspection(const Job& job);
     /// Its faults in the order of mending, "keiko-faults/1", made as the inspection.
     std::string faults(const Job& job);
+    /// The sections of the body with a plane such as "y=120" and their curvature combs,
+    /// "keiko-combs/1". Throws Error for other words, and Cancelled.
+    std::string section(const std::string& plane, const Job& job) const;
 
 private:
     /// A value that takes long.

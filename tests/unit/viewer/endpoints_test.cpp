@@ -96,6 +96,16 @@ TEST_F(EndpointsTest, TheStillHasTheLampsOfItsRequest) {
     EXPECT_NE(own.text, dark.text);
 }
 
+TEST_F(EndpointsTest, CutsTheBodyByAPlane) {
+    const HttpReply cut = ask("POST", "/section", "y=0");
+    EXPECT_EQ(cut.status, 200);
+    EXPECT_TRUE(has(cut, "keiko-combs/1"));
+    EXPECT_TRUE(has(cut, "\"kind\":\"section\""));
+    EXPECT_TRUE(has(ask("POST", "/section", "z=1e6"), "\"kind\":\"missed\""));
+    for (const char* wrong : {"", "y", "q=1", "y=nan", "0,0,0=1", "y=1 --"})
+        EXPECT_EQ(ask("POST", "/section", wrong).status, 400) << wrong;
+}
+
 TEST_F(EndpointsTest, AfterTheEndOfTheServerLongAnswersAreRefused) {
     work_.end_all();
     EXPECT_EQ(ask("GET", "/seams").status, 409);

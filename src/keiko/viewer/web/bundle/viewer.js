@@ -1001,6 +1001,107 @@ function quantile(values, share) {
   return sorted[Math.round(share * (sorted.length - 1))] ?? 0;
 }
 
+// source/section.ts
+function projection(camera) {
+  const { right, up, forward } = axesOf(camera), size = pixelSize(camera);
+  return (place) => {
+    const way = difference(place, camera.eye), deep = dot(way, forward);
+    const scale = camera.projection === "orthographic" ? size : size * deep;
+    if (!(scale > 0)) return null;
+    return [camera.width / 2 + dot(way, right) / scale, camera.height / 2 - dot(way, up) / scale];
+  };
+}
+var longestTooth = 0.06;
+var Overlay = class {
+  constructor(host, picture) {
+    this.host = host;
+    this.picture = picture;
+    this.curves = [];
+    this.drawn = null;
+    this.canvas = element("canvas", "", { id: "section-lines" });
+    picture.after(this.canvas);
+  }
+  show(curves) {
+    const isFirst = this.curves.length === 0;
+    this.curves = curves;
+    this.drawn = null;
+    if (isFirst && curves.length > 0) this.follow();
+  }
+  /** Draws anew whenever the eye has moved, as long as there are curves. */
+  follow() {
+    const camera = this.host.camera(), { width, height } = this.picture.style;
+    Object.assign(this.canvas.style, { width, height });
+    if (camera !== this.drawn) this.draw(camera);
+    if (this.curves.length > 0) requestAnimationFrame(() => this.follow());
+  }
+  draw(camera) {
+    this.drawn = camera;
+    Object.assign(this.canvas, { width: camera.width, height: camera.height });
+    const context = this.canvas.getContext("2d"), place = projection(camera);
+    const { upper, lower } = this.host.facts.bounds;
+    const bent = Math.max(...this.curves.map((curve) => Math.abs(curve.largest_curvature.value)), 1e-12);
+    const tooth = longestTooth * length(difference(upper, lower)) / bent;
+    for (const { pieces } of this.curves)
+      for (const { samples } of pieces) {
+        const foot = samples.map((s) => place(s.place));
+        const tip = samples.map((s) => place(sum(s.place, scaled(s.towards, -s.curvature * tooth))));
+        context.strokeStyle = "#3ad0ff88";
+        foot.forEach((from, i) => stroke(context, [from, tip[i]]));
+        stroke(context, tip);
+        context.strokeStyle = "#ffd23a";
+        stroke(context, foot);
+      }
+  }
+};
+function stroke(context, points) {
+  context.beginPath();
+  let isDown = false;
+  for (const point of points) {
+    if (point && isDown) context.lineTo(...point);
+    else if (point) context.moveTo(...point);
+    isDown = point !== null;
+  }
+  context.stroke();
+}
+function summary(curves, plane) {
+  if (curves.length === 0) return `${plane} misses the body`;
+  const long = curves.reduce((all, curve) => all + curve.length, 0);
+  const bent = Math.max(...curves.map((curve) => Math.abs(curve.largest_curvature.value)));
+  return `${plane}: ${long.toFixed(1)} mm, radii from ${(1 / bent).toPrecision(4)} mm`;
+}
+function sectionPanel(into, host, picture) {
+  const overlay = new Overlay(host, picture), { lower, upper } = host.facts.bounds;
+  const axis = element("select", ["none", "x", "y", "z"].map((name) => element("option", name)), { ariaLabel: "axis" });
+  const slider = element("input", "", { type: "range", ariaLabel: "position", step: "any", disabled: true });
+  const text = element("p");
+  let running = new AbortController();
+  const cut = async () => {
+    running.abort();
+    const own = running = new AbortController(), plane = `${axis.value}=${Number(slider.value).toFixed(2)}`;
+    try {
+      const { curves } = await (await ask("POST", "/section", plane, own.signal)).json();
+      if (own.signal.aborted) return;
+      overlay.show(curves);
+      text.textContent = summary(curves, plane);
+    } catch (error) {
+      if (!own.signal.aborted) host.fail(error);
+    }
+  };
+  axis.onchange = () => {
+    const at = ["x", "y", "z"].indexOf(axis.value);
+    slider.disabled = at < 0;
+    running.abort();
+    overlay.show([]);
+    text.textContent = "";
+    if (at < 0) return;
+    Object.assign(slider, { min: String(lower[at]), max: String(upper[at]) });
+    slider.value = String((lower[at] + upper[at]) / 2);
+    void cut();
+  };
+  slider.oninput = () => void cut();
+  into.replaceChildren(axis, slider, text);
+}
+
 // source/main.ts
 var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
 var rest = 300;
@@ -1228,6 +1329,7 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
       button("open", () => this.open())
     );
     faultsPanel(byId("faults"), this.host());
+    sectionPanel(byId("section"), this.host(), this.canvas);
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
   }

@@ -5,6 +5,7 @@ import { faultsPanel } from "./faults";
 import { Host } from "./host";
 import { button, byId, choice, download, showFacts, showPairs, showRows, showSeams } from "./panel";
 import { Look, looks, Picture } from "./picture";
+import { sectionPanel } from "./section";
 import { ask, facts as fetchFacts, followProgress, newRig, requestText, viewText } from "./server";
 import { difference, dot, length, scaled, sum, unit, Vector } from "./vector";
 
@@ -239,6 +240,7 @@ class Viewer {
       button("place for this view", () => void this.run("/place", async (reply) => this.setRig((await reply.json()).rig))),
       button("save", () => void this.save()), button("open", () => this.open()));
     faultsPanel(byId("faults"), this.host());
+    sectionPanel(byId("section"), this.host(), this.canvas);
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
   }
