@@ -390,6 +390,36 @@ class Reports(ViewTest):
         self.assertIn("out/faults.json", error_of())
 
 
+class Against(ViewTest):
+    """An earlier revision beside the scene."""
+
+    def test_both_revisions_under_one_eye_and_the_same_lamps(self):
+        models = surface("seam-g1-angle.step"), surface("seam-g1-only.step")
+        server = self.serve(models[0], "--against", models[1], "--size", "%dx%d" % SIZE, "--view", "top")
+        scene, earlier = (json.loads(server.ask("GET", path)[2]) for path in ("/scene", "/against/scene"))
+        self.assertEqual((scene["against"], earlier["against"]), (True, False))
+        self.assertEqual((scene["inputs"], earlier["inputs"]), ([Path(models[0]).name], [Path(models[1]).name]))
+        self.assertEqual((scene["camera"], scene["rig"]), (earlier["camera"], earlier["rig"]))
+        self.write("rig.toml", server.ask("GET", "/rig")[2].decode())
+        for path, model in zip(("/still", "/against/still"), models):
+            self.write("eye.toml", self.view_file(scene["camera"]))
+            self.succeed("render", model, "-o", "file.png", "--rig", "rig.toml", "--view", "eye.toml",
+                         "--size", "%dx%d" % SIZE)
+            self.assertEqual(server.ask("POST", path)[2], (self.folder / "file.png").read_bytes(), path)
+        deep, before = (passes(server.ask("POST", path, "interlaced = false")[2])[0]
+                        for path in ("/deep", "/against/deep"))
+        self.assertEqual(deep[0][:5], before[0][:5])
+        self.assertNotEqual(deep[1], before[1])
+
+    def test_without_an_earlier_revision_there_is_none(self):
+        self.error_of(self.serve(surface("saddle.bpt")).ask("POST", "/against/deep"), 404)
+
+    def test_an_earlier_revision_that_is_missing(self):
+        run = self.keiko("view", surface("saddle.bpt"), "--against", "none.step", "--no-browser")
+        self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1), run.stderr)
+        self.assertIn("none.step", run.stderr)
+
+
 class Clients(ViewTest):
     """Who leaves, who is in a hurry, and who is one of two."""
 

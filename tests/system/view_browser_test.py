@@ -182,6 +182,35 @@ class Pictures(Page):
         self.assertEqual(self.errors(), [])
 
 
+class Revisions(Page):
+    def earlier(self) -> list:
+        self.wait_for(lambda: self.browser.find_element(By.ID, "earlier").get_attribute("data-traced") == "whole")
+        return self.pixels(self.canvas("earlier"))
+
+    def test_the_earlier_revision_is_drawn_as_its_own_page_draws_it(self):
+        raised = 'material = "mirror"\ntransform = { translate = [0, 0, 40] }'
+        self.write("earlier.toml", (SCENE % surface("hood.step")).replace('material = "mirror"', raised))
+        self.open("earlier.toml")
+        alone = self.pixels(self.canvas())
+        self.open("scene.toml", "--against", "earlier.toml")
+        now = self.pixels(self.canvas())
+        self.press("both")
+        mean, beyond = differences(self.earlier(), alone)
+        self.assertLess(beyond, 0.01)
+        self.assertGreater(differences(now, alone)[1], 0.05)
+        style = "return getComputedStyle(document.getElementById('%s')).%s"
+        self.assertIn("50%", self.browser.execute_script(style % ("earlier", "clipPath")))
+        self.assertEqual(self.browser.execute_script(style % ("still", "display")), "none")
+        self.press("difference")
+        self.assertEqual(self.browser.execute_script(style % ("earlier", "mixBlendMode")), "difference")
+        self.press("new")
+        self.assertEqual(self.browser.execute_script(style % ("earlier", "display")), "none")
+        self.assertEqual(self.errors(), [])
+
+    def test_without_an_earlier_revision_nothing_offers_one(self):
+        self.assertFalse(self.browser.find_element(By.ID, "compare").is_displayed())
+
+
 class Panel(Page):
     def test_a_click_names_the_place(self):
         self.browser.find_element(By.ID, "picture").click()

@@ -17,6 +17,7 @@ namespace {
 
 struct ViewArguments {
     SceneArguments scene;
+    std::vector<std::filesystem::path> against;
     viewer::ViewerOptions options;
     std::string view, rig = "auto", preset;
     bool no_browser = false;
@@ -36,6 +37,14 @@ void announce(const std::string& address, bool no_browser, std::optional<Address
     if (no_browser) return;
     page.emplace(address);
     if (!page->show()) log_warning("there is no xdg-open: open the address in a browser");
+}
+
+/// The earlier revision, opened as the scene is; nullopt unless one is named.
+std::optional<Scene> earlier_scene(const ViewArguments& arguments, const Job& job) {
+    if (arguments.against.empty()) return {};
+    SceneArguments earlier = arguments.scene;
+    earlier.inputs = arguments.against;
+    return earlier.open(job);
 }
 
 /// Opens a report folder in place of the models: with its lamps, unless others are named.
@@ -72,13 +81,14 @@ int view(ViewArguments arguments, const Job& job) {
         arguments.options.check.preset = preset_by_name_or_file(arguments.preset);
     arguments.options.check.load = load_options(arguments.scene);
     Scene scene = arguments.scene.open(job);
+    std::optional<Scene> against = earlier_scene(arguments, job);
     arguments.scene.warn_of_axes(scene, names);
     const NamedView seen = of_report ? *of_report : choose_views(scene, names, 1, job).front();
     LightRig rig = rig_of(scene, arguments, seen, job);
     // It ends with the server: the page may be opened again as long as that runs.
     std::optional<AddressPage> page;
     viewer::show(
-        std::move(scene), seen, std::move(rig), arguments.options,
+        {std::move(scene), std::move(against)}, seen, std::move(rig), arguments.options,
         [&](const std::string& address) { announce(address, arguments.no_browser, page); }, job);
     return exit_pass;
 }
@@ -90,6 +100,11 @@ void add_view(CLI::App& app, Session& session) {
     CLI::App& command = *app.add_subcommand(
         "view", "show the body under lamps in the browser, to turn it and to drag the lamps");
     arguments->scene.add_to(command, "MODEL|SCENE|REPORT");
+    command
+        .add_option("--against", arguments->against,
+                    "an earlier revision to compare with: its model file or scene file; may "
+                    "repeat for the models of one body")
+        ->allow_extra_args(false);
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);
     command.add_option("--view", arguments->view, "view by name, auto, or scene")

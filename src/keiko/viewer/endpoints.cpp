@@ -18,6 +18,8 @@ namespace {
 /// Most pixels of an answer: 256 MB of a deep buffer, and a still of 4096 x 2048.
 constexpr std::int64_t most_pixels = 1 << 23;
 
+constexpr std::string_view no_such = "there is nothing of that name";
+
 /// Name of the page that asks, so that its newer requests end its older ones alone.
 std::string client_of(const HttpRequest& request) {
     constexpr std::size_t longest = 64;
@@ -92,8 +94,9 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "GET /rig") return rig_file();
     if (asked == "PUT /rig") return new_rig(request);
     if (asked == "POST /rig") return changed_rig_file(request);
-    if (asked == "POST /deep") return deep(request, client);
-    if (asked == "POST /still") return still(request, client);
+    if (asked == "POST /deep") return deep(request, client, {scene_.scene(), "deep"});
+    if (asked == "POST /still") return still(request, client, {scene_.scene(), "still"});
+    if (scene_.against() && request.path.starts_with("/against/")) return against(request, client);
     if (asked == "GET /events") return events(client);
     LatestWork::Turn turn(work_, client,
                           request.path.substr(std::min<std::size_t>(1, request.path.size())));
@@ -105,11 +108,21 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "POST /section") return text_reply(scene_.section(request.body, job));
     if (asked == "POST /lines") return lines(request, job);
     if (asked == "POST /place") return place(request, job);
-    return error_reply(404, "there is nothing of that name");
+    return error_reply(404, no_such);
 }
 
 HttpReply Endpoints::scene_facts() const {
     return text_reply(view_json(scene_.facts_of_view(), scene_.rig()));
+}
+
+HttpReply Endpoints::against(const HttpRequest& request, const std::string& client) const {
+    const Scene& earlier = *scene_.against();
+    const std::string asked = request.method + " " + request.path;
+    if (asked == "GET /against/scene")
+        return text_reply(view_json(view_facts(earlier, scene_.view()), scene_.rig()));
+    if (asked == "POST /against/deep") return deep(request, client, {earlier, "deep before"});
+    if (asked == "POST /against/still") return still(request, client, {earlier, "still before"});
+    return error_reply(404, no_such);
 }
 
 HttpReply Endpoints::rig_file() const {
@@ -156,7 +169,7 @@ HttpReply Endpoints::streamed(const std::string& type, const std::string& client
     return reply;
 }
 
-bool Endpoints::send_deep(const ViewRequest& request, Outlet& outlet,
+bool Endpoints::send_deep(const Scene& scene, const ViewRequest& request, Outlet& outlet,
                           LatestWork::Turn& turn) const {
     const Camera camera = scene_.view_of(request).camera;
     std::vector<RowSet> passes{RowSet{}};
@@ -166,7 +179,7 @@ bool Endpoints::send_deep(const ViewRequest& request, Outlet& outlet,
         std::string bytes;
         {
             const ClientWatch watch(outlet, turn);
-            bytes = deep_bytes(deep_view(scene_.scene(), camera,
+            bytes = deep_bytes(deep_view(scene, camera,
                                          {.rows = rows, .reflections = request.reflections},
                                          turn.job(threads_)));
         }
@@ -175,29 +188,31 @@ bool Endpoints::send_deep(const ViewRequest& request, Outlet& outlet,
     return true;
 }
 
-HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client) const {
+HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client,
+                          Shown shown) const {
     const ViewRequest wanted = request_of(request);
-    return streamed("application/octet-stream", client, "deep",
-                    [this, wanted](Outlet& outlet, LatestWork::Turn& turn) {
-                        return send_deep(wanted, outlet, turn);
+    return streamed("application/octet-stream", client, shown.kind,
+                    [this, wanted, &scene = shown.scene](Outlet& outlet, LatestWork::Turn& turn) {
+                        return send_deep(scene, wanted, outlet, turn);
                     });
 }
 
-HttpReply Endpoints::still(const HttpRequest& request, const std::string& client) const {
+HttpReply Endpoints::still(const HttpRequest& request, const std::string& client,
+                           Shown shown) const {
     const ViewRequest wanted = request_of(request);
-    return streamed(
-        "image/png", client, "still",
-        [this, wanted, rig = scene_.rig_of(wanted)](Outlet& outlet, LatestWork::Turn& turn) {
-            std::string png;
-            {
-                const ClientWatch watch(outlet, turn);
-                const Job job = turn.job(threads_);
-                const StopScope scope(job);
-                png = encode_png(tone_mapped(
-                    render_view(scene_.scene(), rig, scene_.view_of(wanted).camera, {}, job)));
-            }
-            return outlet.write(png);
-        });
+    return streamed("image/png", client, shown.kind,
+                    [this, wanted, rig = scene_.rig_of(wanted), &scene = shown.scene](
+                        Outlet& outlet, LatestWork::Turn& turn) {
+                        std::string png;
+                        {
+                            const ClientWatch watch(outlet, turn);
+                            const Job job = turn.job(threads_);
+                            const StopScope scope(job);
+                            png = encode_png(tone_mapped(
+                                render_view(scene, rig, scene_.view_of(wanted).camera, {}, job)));
+                        }
+                        return outlet.write(png);
+                    });
 }
 
 HttpReply Endpoints::events(const std::string& client) const {

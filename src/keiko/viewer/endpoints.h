@@ -24,6 +24,12 @@ private:
     /// Work that writes to a client, and stops once that has gone.
     using Streamed = std::function<bool(Outlet&, LatestWork::Turn&)>;
 
+    /// Where the pictures of a request are of: the scene, or the revision before it.
+    struct Shown {
+        const Scene& scene;
+        std::string kind; ///< of the work; see LatestWork
+    };
+
     HttpReply routed(const HttpRequest& request, const std::string& client) const;
     /// Answers that are made at once.
     HttpReply scene_facts() const;
@@ -31,15 +37,18 @@ private:
     HttpReply new_rig(const HttpRequest& request) const;
     HttpReply changed_rig_file(const HttpRequest& request) const;
     /// Answers that take long; see LatestWork.
-    HttpReply deep(const HttpRequest& request, const std::string& client) const;
-    HttpReply still(const HttpRequest& request, const std::string& client) const;
+    HttpReply deep(const HttpRequest& request, const std::string& client, Shown shown) const;
+    HttpReply still(const HttpRequest& request, const std::string& client, Shown shown) const;
+    /// Answers about the revision before, which is there.
+    HttpReply against(const HttpRequest& request, const std::string& client) const;
     HttpReply events(const std::string& client) const;
     HttpReply lines(const HttpRequest& request, const Job& job) const;
     HttpReply place(const HttpRequest& request, const Job& job) const;
 
     HttpReply streamed(const std::string& type, const std::string& client, const std::string& kind,
                        Streamed work) const;
-    bool send_deep(const ViewRequest& request, Outlet& outlet, LatestWork::Turn& turn) const;
+    bool send_deep(const Scene& scene, const ViewRequest& request, Outlet& outlet,
+                   LatestWork::Turn& turn) const;
 
     ViewedScene& scene_;
     LatestWork& work_;

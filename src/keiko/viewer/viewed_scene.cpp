@@ -25,6 +25,7 @@ ViewFacts ViewedScene::facts_of_view() const {
     ViewFacts facts = view_facts(scene_, view_);
     facts.own_views = own_views_;
     facts.remarks = remarks_;
+    facts.against = against_.has_value();
     return facts;
 }
 

@@ -8,12 +8,14 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace keiko::viewer {
 
-/// The state of the server: a scene with the view and the rig that it was opened with. The rig may
-/// be replaced, nothing else. May be used by several threads.
+/// The state of the server: a scene with the view and the rig that it was opened with, and perhaps
+/// an earlier revision of it. The rig may be replaced, nothing else. May be used by several
+/// threads.
 class ViewedScene {
 public:
     /// `check`: how the geometry is judged once somebody asks. `report`: an inspection whose
@@ -25,6 +27,10 @@ public:
     const Scene& scene() const { return scene_; }
     /// The view that it was opened with.
     const NamedView& view() const { return view_; }
+    /// Shows an earlier revision beside the scene; to be called before anybody asks.
+    void set_against(Scene earlier) { against_.emplace(std::move(earlier)); }
+    /// The earlier revision; null without one.
+    const Scene* against() const { return against_ ? &*against_ : nullptr; }
     /// The scene as a page needs it, with the views and changed files of the report.
     ViewFacts facts_of_view() const;
     /// The rig that is shown.
@@ -64,6 +70,7 @@ private:
     Scene scene_;
     NamedView view_;
     CheckOptions check_;
+    std::optional<Scene> against_;
     std::vector<NamedView> own_views_;
     Diagnostics remarks_;
     mutable std::mutex rig_access_;

@@ -10,9 +10,11 @@
 
 namespace keiko::viewer {
 
-void show(Scene scene, const NamedView& view, LightRig rig, const ViewerOptions& options,
+void show(ShownScenes scenes, const NamedView& view, LightRig rig, const ViewerOptions& options,
           const std::function<void(const std::string& address)>& ready, const Job& job) {
-    ViewedScene viewed(std::move(scene), view, std::move(rig), options.check, options.report);
+    ViewedScene viewed(std::move(scenes.scene), view, std::move(rig), options.check,
+                       options.report);
+    if (scenes.against) viewed.set_against(std::move(*scenes.against));
     LatestWork work;
     const Endpoints endpoints(viewed, work, job.threads);
     HttpServer server(options.port);

@@ -17,10 +17,16 @@ struct ViewerOptions {
     std::optional<ReportFolder> report{}; ///< whose findings are shown instead
 };
 
+/// Scenes of a viewer.
+struct ShownScenes {
+    Scene scene;                    ///< the one that is judged
+    std::optional<Scene> against{}; ///< an earlier revision of it
+};
+
 /// Shows a scene to pages on this machine until the job is to stop. `ready` gets the address to
 /// open, with the token in its fragment, as soon as requests are answered. Throws FieldError for a
 /// port that is taken, and Cancelled at the end.
-void show(Scene scene, const NamedView& view, LightRig rig, const ViewerOptions& options,
+void show(ShownScenes scenes, const NamedView& view, LightRig rig, const ViewerOptions& options,
           const std::function<void(const std::string& address)>& ready, const Job& job);
 
 } // namespace keiko::viewer

@@ -96,6 +96,21 @@ TEST_F(EndpointsTest, TheStillHasTheLampsOfItsRequest) {
     EXPECT_NE(own.text, dark.text);
 }
 
+TEST_F(EndpointsTest, ShowsAnEarlierRevisionOnlyWhereThereIsOne) {
+    EXPECT_TRUE(has(ask("GET", "/scene"), "\"against\": false"));
+    EXPECT_EQ(ask("GET", "/against/scene").status, 404);
+    EXPECT_EQ(ask("POST", "/against/deep").status, 404);
+    const std::filesystem::path inputs[] = {keiko::test::repository("surfaces/saddle.bpt")};
+    scene_->set_against(open_scene(inputs));
+    EXPECT_TRUE(has(ask("GET", "/scene"), "\"against\": true"));
+    EXPECT_TRUE(has(ask("GET", "/against/scene"), "saddle.bpt"));
+    Reader now, before;
+    ASSERT_TRUE(ask("POST", "/still").stream(now));
+    ASSERT_TRUE(ask("POST", "/against/still").stream(before));
+    EXPECT_EQ(before.text.substr(1, 3), "PNG");
+    EXPECT_NE(now.text, before.text);
+}
+
 TEST_F(EndpointsTest, CutsTheBodyByAPlane) {
     const HttpReply cut = ask("POST", "/section", "y=0");
     EXPECT_EQ(cut.status, 200);

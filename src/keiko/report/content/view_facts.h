@@ -39,6 +39,7 @@ struct ViewFacts {
     std::vector<NamedView> views;      ///< the standard ones, of the opened view's size
     std::vector<NamedView> own_views;  ///< of the report that was opened
     Diagnostics remarks;               ///< on files that are not those of the report
+    bool against = false;              ///< an earlier revision is shown beside it
 };
 
 /// "keiko-view-facts/1" of docs/file-formats.md: the scene, and the rig as rig_json has it.

@@ -90,6 +90,7 @@ std::string view_json(const ViewFacts& facts, const LightRig& rig) {
               {"views", views_json(facts.views)},
               {"own_views", views_json(facts.own_views)},
               {"remarks", diagnostics_json(facts.remarks)},
+              {"against", facts.against},
               {"rig", rig_value(rig)}};
     if (facts.ground) json["ground"] = {{"z", *facts.ground}, {"material", facts.ground_material}};
     return text_of(json);

@@ -195,177 +195,6 @@ function showSeams(seams, fly) {
   byId("seams").replaceChildren(seams.length > 0 ? element("table", lines2) : element("p", "no seams"));
 }
 
-// source/profile_plot.ts
-function plotted(profile, mending) {
-  if (mending === "position") return ["gap", profile.gap, (s) => s.gap];
-  const { curvature } = profile;
-  if (mending === "curvature" && curvature)
-    return ["curvature mismatch", curvature, (s) => curvature.formula === "catia" ? s.catia : s.alias];
-  return ["angle", profile.angle, (s) => s.angle];
-}
-var wide = 320;
-var high = 90;
-var top = 14;
-function svg(tag, attributes, text = "") {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
-  made.textContent = text;
-  return made;
-}
-function lines(profile, value, scale) {
-  const found = [];
-  let piece = -1;
-  for (const sample of profile.samples) {
-    const v = value(sample);
-    if (v === null || v === void 0) piece = -1;
-    else {
-      if (sample.piece !== piece) found.push([]);
-      piece = sample.piece;
-      found[found.length - 1].push(`${(sample.along / profile.length * wide).toFixed(1)},${scale(v).toFixed(1)}`);
-    }
-  }
-  return found.map((points) => points.join(" "));
-}
-function profilePlot(profile, mending) {
-  const [name, quantity, value] = plotted(profile, mending);
-  const unit2 = quantity?.unit === "1" ? "" : ` ${quantity?.unit ?? ""}`, limit = quantity?.limit ?? null;
-  const largest = Math.max(quantity?.largest ?? 0, limit ?? 0, 1e-12) * 1.05;
-  const scale = (v) => top + (high - top) * (1 - v / largest);
-  const title = `${name} up to ${quantity?.largest.toPrecision(3) ?? "?"}${unit2} on ${profile.length.toFixed(1)} mm` + (limit === null ? "" : `, limit ${limit}${unit2}`);
-  const plot = svg("svg", { viewBox: `0 0 ${wide} ${high + 1}`, class: "plot", role: "img", "aria-label": title });
-  plot.append(svg("text", { x: 0, y: 10 }, title));
-  if (limit !== null) plot.append(svg("line", { class: "limit", x1: 0, x2: wide, y1: scale(limit), y2: scale(limit) }));
-  for (const points of lines(profile, value, scale)) plot.append(svg("polyline", { points }));
-  return plot;
-}
-
-// source/server.ts
-function tokenOf() {
-  const given = new URLSearchParams(location.hash.slice(1)).get("token");
-  if (given) {
-    sessionStorage.setItem("token", given);
-    history.replaceState(null, "", location.pathname);
-  }
-  return sessionStorage.getItem("token") ?? "";
-}
-var headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
-async function ask(method, path, body, signal) {
-  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body ?? "", signal });
-  if (reply.ok) return reply;
-  const text = await reply.text();
-  let reason = text;
-  try {
-    reason = JSON.parse(text).error;
-  } catch {
-  }
-  throw new Error(`${path}: ${reason}`);
-}
-var facts = async () => (await ask("GET", "/scene")).json();
-var newRig = async (toml) => (await ask("PUT", "/rig", toml)).json();
-var vector = (v) => `[${v.join(", ")}]`;
-function planeText(plane) {
-  return [
-    "[[c_plane]]",
-    `origin = ${vector(plane.origin)}`,
-    `u = ${vector(plane.u)}`,
-    `v = ${vector(plane.v)}`,
-    `lamps = ${plane.lamps}`,
-    `pitch = ${plane.pitch}`,
-    `diameter = ${plane.diameter}`,
-    `luminance = ${vector(plane.luminance)}`,
-    `caps = "${plane.caps}"`,
-    `mirror = "${plane.mirror}"`
-  ].join("\n");
-}
-function cameraText(camera) {
-  const lens = camera.projection === "orthographic" ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
-  return [
-    `projection = "${camera.projection}"`,
-    `eye = ${vector(camera.eye)}`,
-    `target = ${vector(camera.target)}`,
-    `up = ${vector(camera.up)}`,
-    lens
-  ].join("\n");
-}
-var viewText = (camera) => `format = "keiko-view/1"
-${cameraText(camera)}
-`;
-function requestText(camera, planes, more = "") {
-  return [
-    'format = "keiko-view-request/1"',
-    more,
-    planes?.length === 0 ? "c_plane = []" : "",
-    "[camera]",
-    cameraText(camera),
-    `size = [${camera.width}, ${camera.height}]`,
-    ...(planes ?? []).map(planeText),
-    ""
-  ].join("\n");
-}
-async function followProgress(tell) {
-  const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
-  let text = "";
-  for (; ; ) {
-    const { value, done } = await reader.read();
-    if (done) return;
-    const lines2 = (text + value).split("\n");
-    text = lines2.pop();
-    for (const line of lines2)
-      if (line.startsWith("data: ")) {
-        const { stage, fraction } = JSON.parse(line.slice(6));
-        tell(stage, fraction);
-      }
-  }
-}
-
-// source/faults.ts
-var shown = 0.16;
-function closeUp(host, fault) {
-  const { upper, lower } = host.facts.bounds, height = shown * length(difference(upper, lower));
-  const view = host.facts.views.find(({ name }) => name === fault.view);
-  if (!view) return lookingAt(host.camera(), fault.place, 3 * height);
-  const away = length(difference(fault.place, view.camera.eye));
-  return {
-    ...view.camera,
-    target: fault.place,
-    orthographic_height: height,
-    vertical_fov: 2 * Math.atan(height / (2 * away)) * 180 / Math.PI
-  };
-}
-function sightOf(fault) {
-  const seen = fault.width >= 0.05 ? ` · breaks a reflection by ${fault.width.toFixed(1)}′` : "";
-  const long = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
-  return fault.mending + seen + long + (fault.mirrored ? " · on both sides" : "");
-}
-function entry(host, fault) {
-  const into = element("div");
-  const go = () => {
-    host.lookFrom(closeUp(host, fault));
-    if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
-  };
-  return element("li", [
-    button(fault.faces, go),
-    element("div", fault.message, { className: fault.verdict }),
-    element("div", sightOf(fault), { className: "soft" }),
-    into
-  ]);
-}
-function list(host, faults, start2) {
-  return element("ol", faults.map((fault) => entry(host, fault)), { start: start2 });
-}
-function faultsPanel(into, host) {
-  const fetchAll = async () => {
-    try {
-      const { items, hidden } = await (await ask("GET", "/inspect")).json();
-      into.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
-      if (hidden.length > 0) into.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
-    } catch (error) {
-      host.fail(error);
-    }
-  };
-  into.replaceChildren(button("inspect", () => void fetchAll()));
-}
-
 // source/shader.ts
 var mostPlanes = 16;
 var bouncesARow = 1024;
@@ -1001,6 +830,256 @@ function quantile(values, share) {
   return sorted[Math.round(share * (sorted.length - 1))] ?? 0;
 }
 
+// source/server.ts
+function tokenOf() {
+  const given = new URLSearchParams(location.hash.slice(1)).get("token");
+  if (given) {
+    sessionStorage.setItem("token", given);
+    history.replaceState(null, "", location.pathname);
+  }
+  return sessionStorage.getItem("token") ?? "";
+}
+var headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
+async function ask(method, path, body, signal) {
+  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body ?? "", signal });
+  if (reply.ok) return reply;
+  const text = await reply.text();
+  let reason = text;
+  try {
+    reason = JSON.parse(text).error;
+  } catch {
+  }
+  throw new Error(`${path}: ${reason}`);
+}
+var facts = async () => (await ask("GET", "/scene")).json();
+var newRig = async (toml) => (await ask("PUT", "/rig", toml)).json();
+var vector = (v) => `[${v.join(", ")}]`;
+function planeText(plane) {
+  return [
+    "[[c_plane]]",
+    `origin = ${vector(plane.origin)}`,
+    `u = ${vector(plane.u)}`,
+    `v = ${vector(plane.v)}`,
+    `lamps = ${plane.lamps}`,
+    `pitch = ${plane.pitch}`,
+    `diameter = ${plane.diameter}`,
+    `luminance = ${vector(plane.luminance)}`,
+    `caps = "${plane.caps}"`,
+    `mirror = "${plane.mirror}"`
+  ].join("\n");
+}
+function cameraText(camera) {
+  const lens = camera.projection === "orthographic" ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
+  return [
+    `projection = "${camera.projection}"`,
+    `eye = ${vector(camera.eye)}`,
+    `target = ${vector(camera.target)}`,
+    `up = ${vector(camera.up)}`,
+    lens
+  ].join("\n");
+}
+var viewText = (camera) => `format = "keiko-view/1"
+${cameraText(camera)}
+`;
+function requestText(camera, planes, more = "") {
+  return [
+    'format = "keiko-view-request/1"',
+    more,
+    planes?.length === 0 ? "c_plane = []" : "",
+    "[camera]",
+    cameraText(camera),
+    `size = [${camera.width}, ${camera.height}]`,
+    ...(planes ?? []).map(planeText),
+    ""
+  ].join("\n");
+}
+async function followProgress(tell) {
+  const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
+  let text = "";
+  for (; ; ) {
+    const { value, done } = await reader.read();
+    if (done) return;
+    const lines2 = (text + value).split("\n");
+    text = lines2.pop();
+    for (const line of lines2)
+      if (line.startsWith("data: ")) {
+        const { stage, fraction } = JSON.parse(line.slice(6));
+        tell(stage, fraction);
+      }
+  }
+}
+
+// source/compare.ts
+var ways = ["new", "both", "difference"];
+var Earlier = class {
+  constructor(host, over) {
+    this.host = host;
+    this.over = over;
+    this.canvas = element("canvas", "", { id: "earlier", hidden: true });
+    this.picture = null;
+    this.traced = null;
+    this.drawn = "";
+    this.way = "new";
+    this.running = new AbortController();
+    byId("still").after(this.canvas);
+  }
+  async show(way) {
+    const wasShown = this.way !== "new";
+    this.way = way;
+    this.canvas.hidden = way === "new";
+    this.canvas.style.mixBlendMode = way === "difference" ? "difference" : "normal";
+    this.over.parentElement.classList.toggle("comparing", way !== "new");
+    if (wasShown || way === "new") return;
+    const facts2 = await (await ask("GET", "/against/scene")).json();
+    this.picture ??= new Picture(this.canvas, facts2);
+    this.follow();
+  }
+  /** Share of the picture, from the left, that shows the new revision. */
+  split(share) {
+    this.canvas.style.clipPath = `inset(0 0 0 ${(100 * share).toFixed(2)}%)`;
+  }
+  /** Follows eye, look and lamps as long as it is shown. */
+  follow() {
+    if (this.way === "new") return;
+    const camera = this.host.camera(), { width, height } = this.over.style;
+    Object.assign(this.canvas.style, { width, height });
+    if (camera !== this.traced) void this.trace(camera);
+    const display = this.host.display(), now = JSON.stringify(display);
+    if (now !== this.drawn) this.draw(display);
+    this.drawn = now;
+    requestAnimationFrame(() => this.follow());
+  }
+  draw(display) {
+    this.picture.draw(display);
+  }
+  async trace(camera) {
+    this.traced = camera;
+    this.running.abort();
+    const own = this.running = new AbortController();
+    let isFirst = true;
+    try {
+      const reply = await ask("POST", "/against/deep", requestText(camera), own.signal);
+      await readPasses(reply, (pass) => {
+        if (own.signal.aborted) return;
+        this.picture.add(pass, camera, isFirst);
+        isFirst = false;
+        this.draw(this.host.display());
+      });
+      this.canvas.dataset.traced = "whole";
+    } catch (error) {
+      if (!own.signal.aborted) this.host.fail(error);
+    }
+  }
+};
+function comparePanel(into, host, over) {
+  const section = into.parentElement;
+  section.hidden = !host.facts.against;
+  if (section.hidden) return;
+  const earlier = new Earlier(host, over), buttons = element("p");
+  const slider = element("input", "", { type: "range", min: "0", max: "1", step: "any", value: "0.5", ariaLabel: "border between the revisions" });
+  const show = (way) => {
+    slider.disabled = way !== "both";
+    earlier.split(way === "both" ? Number(slider.value) : 0);
+    earlier.show(way).catch((error) => host.fail(error));
+  };
+  slider.oninput = () => earlier.split(Number(slider.value));
+  choice(buttons, ways, "new", (name) => show(name));
+  slider.disabled = true;
+  into.replaceChildren(buttons, slider);
+}
+
+// source/profile_plot.ts
+function plotted(profile, mending) {
+  if (mending === "position") return ["gap", profile.gap, (s) => s.gap];
+  const { curvature } = profile;
+  if (mending === "curvature" && curvature)
+    return ["curvature mismatch", curvature, (s) => curvature.formula === "catia" ? s.catia : s.alias];
+  return ["angle", profile.angle, (s) => s.angle];
+}
+var wide = 320;
+var high = 90;
+var top = 14;
+function svg(tag, attributes, text = "") {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  made.textContent = text;
+  return made;
+}
+function lines(profile, value, scale) {
+  const found = [];
+  let piece = -1;
+  for (const sample of profile.samples) {
+    const v = value(sample);
+    if (v === null || v === void 0) piece = -1;
+    else {
+      if (sample.piece !== piece) found.push([]);
+      piece = sample.piece;
+      found[found.length - 1].push(`${(sample.along / profile.length * wide).toFixed(1)},${scale(v).toFixed(1)}`);
+    }
+  }
+  return found.map((points) => points.join(" "));
+}
+function profilePlot(profile, mending) {
+  const [name, quantity, value] = plotted(profile, mending);
+  const unit2 = quantity?.unit === "1" ? "" : ` ${quantity?.unit ?? ""}`, limit = quantity?.limit ?? null;
+  const largest = Math.max(quantity?.largest ?? 0, limit ?? 0, 1e-12) * 1.05;
+  const scale = (v) => top + (high - top) * (1 - v / largest);
+  const title = `${name} up to ${quantity?.largest.toPrecision(3) ?? "?"}${unit2} on ${profile.length.toFixed(1)} mm` + (limit === null ? "" : `, limit ${limit}${unit2}`);
+  const plot = svg("svg", { viewBox: `0 0 ${wide} ${high + 1}`, class: "plot", role: "img", "aria-label": title });
+  plot.append(svg("text", { x: 0, y: 10 }, title));
+  if (limit !== null) plot.append(svg("line", { class: "limit", x1: 0, x2: wide, y1: scale(limit), y2: scale(limit) }));
+  for (const points of lines(profile, value, scale)) plot.append(svg("polyline", { points }));
+  return plot;
+}
+
+// source/faults.ts
+var shown = 0.16;
+function closeUp(host, fault) {
+  const { upper, lower } = host.facts.bounds, height = shown * length(difference(upper, lower));
+  const view = host.facts.views.find(({ name }) => name === fault.view);
+  if (!view) return lookingAt(host.camera(), fault.place, 3 * height);
+  const away = length(difference(fault.place, view.camera.eye));
+  return {
+    ...view.camera,
+    target: fault.place,
+    orthographic_height: height,
+    vertical_fov: 2 * Math.atan(height / (2 * away)) * 180 / Math.PI
+  };
+}
+function sightOf(fault) {
+  const seen = fault.width >= 0.05 ? ` · breaks a reflection by ${fault.width.toFixed(1)}′` : "";
+  const long = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
+  return fault.mending + seen + long + (fault.mirrored ? " · on both sides" : "");
+}
+function entry(host, fault) {
+  const into = element("div");
+  const go = () => {
+    host.lookFrom(closeUp(host, fault));
+    if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
+  };
+  return element("li", [
+    button(fault.faces, go),
+    element("div", fault.message, { className: fault.verdict }),
+    element("div", sightOf(fault), { className: "soft" }),
+    into
+  ]);
+}
+function list(host, faults, start2) {
+  return element("ol", faults.map((fault) => entry(host, fault)), { start: start2 });
+}
+function faultsPanel(into, host) {
+  const fetchAll = async () => {
+    try {
+      const { items, hidden } = await (await ask("GET", "/inspect")).json();
+      into.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
+      if (hidden.length > 0) into.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  into.replaceChildren(button("inspect", () => void fetchAll()));
+}
+
 // source/section.ts
 function projection(camera) {
   const { right, up, forward } = axesOf(camera), size = pixelSize(camera);
@@ -1329,6 +1408,7 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
       button("open", () => this.open())
     );
     faultsPanel(byId("faults"), this.host());
+    comparePanel(byId("compare"), this.host(), this.canvas);
     sectionPanel(byId("section"), this.host(), this.canvas);
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
@@ -1337,6 +1417,7 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
     return {
       facts: this.facts,
       camera: () => this.camera,
+      display: () => this.display(),
       lookFrom: (camera) => this.lookFrom(camera),
       fail: (error) => this.fail(error)
     };

@@ -47,6 +47,7 @@ export interface Facts {
   faces: { id: number; name: string; layer: string; material: number }[];
   views: { name: string; camera: Camera }[];
   own_views: { name: string; camera: Camera }[];
+  against: boolean;
   remarks: { entity: string; message: string }[];
   rig: Rig;
 }

@@ -1,4 +1,5 @@
 import { axesOf, Camera, dollied, lookingAt, orbited, panned, rayOf, sized } from "./camera";
+import { comparePanel } from "./compare";
 import { readPasses } from "./deep_buffer";
 import { Facts, Plane, Rig } from "./facts";
 import { faultsPanel } from "./faults";
@@ -240,6 +241,7 @@ class Viewer {
       button("place for this view", () => void this.run("/place", async (reply) => this.setRig((await reply.json()).rig))),
       button("save", () => void this.save()), button("open", () => this.open()));
     faultsPanel(byId("faults"), this.host());
+    comparePanel(byId("compare"), this.host(), this.canvas);
     sectionPanel(byId("section"), this.host(), this.canvas);
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
@@ -247,8 +249,8 @@ class Viewer {
 
   private host(): Host {
     return {
-      facts: this.facts, camera: () => this.camera, lookFrom: (camera) => this.lookFrom(camera),
-      fail: (error) => this.fail(error),
+      facts: this.facts, camera: () => this.camera, display: () => this.display(),
+      lookFrom: (camera) => this.lookFrom(camera), fail: (error) => this.fail(error),
     };
   }
 
