@@ -321,6 +321,18 @@ class Answers(ViewTest):
         near = min(sum((a - b) ** 2 for a, b in zip(place, fault["place"])) ** 0.5 for place in ends)
         self.assertLess(near, fault["length"] / 10)
 
+    def test_hidden_faces_show_what_they_hid(self):
+        def faces(body: str) -> set:
+            samples = passes(self.server.ask("POST", "/deep", "interlaced = false\n" + body + CAMERA % SIZE)[2])[0][1]
+            return set(array.array("f", samples)[7::8])
+        whole = faces("")
+        listed = self.json_of("GET", "/facts")["face_list"]
+        gone = int(max(whole))
+        left = faces(f"hidden = [{listed[gone - 1]['id']}]\n")
+        self.assertEqual(left - {0}, whole - {0, gone})
+        self.assertEqual(faces("hidden = [%s]\n" % ", ".join(str(face["id"]) for face in listed)), {0})
+        self.assertIn("no face 99999", self.error_of(self.server.ask("POST", "/deep", "hidden = [99999]"), 400))
+
     def test_a_section_is_that_of_the_check(self):
         self.keiko("check", SCENE, "--section", "y=120", "--combs", "combs.json")
         status, _, text = self.server.ask("POST", "/section", "y=120")

@@ -246,6 +246,29 @@ class Panel(Page):
         self.assertLess(away, 0.02 * fault["length"])
         self.assertEqual(self.errors(), [])
 
+    def test_faces_are_hidden_isolated_and_shown_again(self):
+        whole = self.pixels(self.canvas())
+
+        def shows(condition):
+            self.wait_for(lambda: "surfaces in" in self.state() or "exact" in self.state())
+            self.wait_for(lambda: condition(differences(self.pixels(self.canvas()), whole)[1]))
+        self.browser.execute_script("arguments[0].scrollIntoView()", self.browser.find_element(By.ID, "tree"))
+        self.press("list")
+        self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#tree li"))
+        self.browser.execute_script("for (const body of document.querySelectorAll('#tree details')) body.open = true")
+        boxes = self.browser.find_elements(By.CSS_SELECTOR, "#tree li input")
+        names = self.browser.find_elements(By.CSS_SELECTOR, "#tree li button")
+        self.assertEqual(len(boxes), len(names))
+        dome = next(i for i, name in enumerate(names) if "dome" in name.text)
+        boxes[dome].click()
+        shows(lambda share: share > 0.05)
+        self.press("show all")
+        shows(lambda share: share == 0)
+        names[dome].click()
+        self.assertEqual([box.is_selected() for box in boxes].count(True), 1)
+        shows(lambda share: share > 0.01)
+        self.assertEqual(self.errors(), [])
+
     def test_a_section_is_drawn_where_the_plane_cuts(self):
         def drawn() -> int:
             return self.browser.execute_script(

@@ -6,5 +6,6 @@
 #include "keiko/report/content/view_facts.h"
 #include "keiko/workflow/check_scene.h"
 #include "keiko/workflow/deep_view.h"
+#include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/report_folder.h"
 #include "keiko/workflow/scene_faults.h"

@@ -94,8 +94,8 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "GET /rig") return rig_file();
     if (asked == "PUT /rig") return new_rig(request);
     if (asked == "POST /rig") return changed_rig_file(request);
-    if (asked == "POST /deep") return deep(request, client, {scene_.scene(), "deep"});
-    if (asked == "POST /still") return still(request, client, {scene_.scene(), "still"});
+    if (asked == "POST /deep") return deep(request, client);
+    if (asked == "POST /still") return still(request, client);
     if (scene_.against() && request.path.starts_with("/against/")) return against(request, client);
     if (asked == "GET /events") return events(client);
     LatestWork::Turn turn(work_, client,
@@ -120,8 +120,8 @@ HttpReply Endpoints::against(const HttpRequest& request, const std::string& clie
     const std::string asked = request.method + " " + request.path;
     if (asked == "GET /against/scene")
         return text_reply(view_json(view_facts(earlier, scene_.view()), scene_.rig()));
-    if (asked == "POST /against/deep") return deep(request, client, {earlier, "deep before"});
-    if (asked == "POST /against/still") return still(request, client, {earlier, "still before"});
+    if (asked == "POST /against/deep") return deep(request, client, &earlier);
+    if (asked == "POST /against/still") return still(request, client, &earlier);
     return error_reply(404, no_such);
 }
 
@@ -169,7 +169,7 @@ HttpReply Endpoints::streamed(const std::string& type, const std::string& client
     return reply;
 }
 
-bool Endpoints::send_deep(const Scene& scene, const ViewRequest& request, Outlet& outlet,
+bool Endpoints::send_deep(const ViewRequest& request, const Scene* earlier, Outlet& outlet,
                           LatestWork::Turn& turn) const {
     const Camera camera = scene_.view_of(request).camera;
     std::vector<RowSet> passes{RowSet{}};
@@ -179,9 +179,10 @@ bool Endpoints::send_deep(const Scene& scene, const ViewRequest& request, Outlet
         std::string bytes;
         {
             const ClientWatch watch(outlet, turn);
-            bytes = deep_bytes(deep_view(scene, camera,
-                                         {.rows = rows, .reflections = request.reflections},
-                                         turn.job(threads_)));
+            const Job job = turn.job(threads_);
+            const auto pictured = scene_.pictured(request, job);
+            bytes = deep_bytes(deep_view(earlier ? *earlier : *pictured, camera,
+                                         {.rows = rows, .reflections = request.reflections}, job));
         }
         if (!outlet.write(bytes)) return false;
     }
@@ -189,27 +190,34 @@ bool Endpoints::send_deep(const Scene& scene, const ViewRequest& request, Outlet
 }
 
 HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client,
-                          Shown shown) const {
+                          const Scene* earlier) const {
     const ViewRequest wanted = request_of(request);
-    return streamed("application/octet-stream", client, shown.kind,
-                    [this, wanted, &scene = shown.scene](Outlet& outlet, LatestWork::Turn& turn) {
-                        return send_deep(scene, wanted, outlet, turn);
+    require_faces(scene_.scene().model, wanted.hidden);
+    return streamed("application/octet-stream", client, earlier ? "deep before" : "deep",
+                    [this, wanted, earlier](Outlet& outlet, LatestWork::Turn& turn) {
+                        return send_deep(wanted, earlier, outlet, turn);
                     });
 }
 
+std::string Endpoints::still_png(const ViewRequest& request, const LightRig& rig,
+                                 const Scene* earlier, const Job& job) const {
+    const StopScope scope(job);
+    const auto pictured = scene_.pictured(request, job);
+    return encode_png(tone_mapped(
+        render_view(earlier ? *earlier : *pictured, rig, scene_.view_of(request).camera, {}, job)));
+}
+
 HttpReply Endpoints::still(const HttpRequest& request, const std::string& client,
-                           Shown shown) const {
+                           const Scene* earlier) const {
     const ViewRequest wanted = request_of(request);
-    return streamed("image/png", client, shown.kind,
-                    [this, wanted, rig = scene_.rig_of(wanted), &scene = shown.scene](
-                        Outlet& outlet, LatestWork::Turn& turn) {
+    require_faces(scene_.scene().model, wanted.hidden);
+    return streamed("image/png", client, earlier ? "still before" : "still",
+                    [this, wanted, rig = scene_.rig_of(wanted), earlier](Outlet& outlet,
+                                                                         LatestWork::Turn& turn) {
                         std::string png;
                         {
                             const ClientWatch watch(outlet, turn);
-                            const Job job = turn.job(threads_);
-                            const StopScope scope(job);
-                            png = encode_png(tone_mapped(
-                                render_view(scene, rig, scene_.view_of(wanted).camera, {}, job)));
+                            png = still_png(wanted, rig, earlier, turn.job(threads_));
                         }
                         return outlet.write(png);
                     });

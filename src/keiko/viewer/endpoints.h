@@ -24,21 +24,18 @@ private:
     /// Work that writes to a client, and stops once that has gone.
     using Streamed = std::function<bool(Outlet&, LatestWork::Turn&)>;
 
-    /// Where the pictures of a request are of: the scene, or the revision before it.
-    struct Shown {
-        const Scene& scene;
-        std::string kind; ///< of the work; see LatestWork
-    };
-
     HttpReply routed(const HttpRequest& request, const std::string& client) const;
     /// Answers that are made at once.
     HttpReply scene_facts() const;
     HttpReply rig_file() const;
     HttpReply new_rig(const HttpRequest& request) const;
     HttpReply changed_rig_file(const HttpRequest& request) const;
-    /// Answers that take long; see LatestWork.
-    HttpReply deep(const HttpRequest& request, const std::string& client, Shown shown) const;
-    HttpReply still(const HttpRequest& request, const std::string& client, Shown shown) const;
+    /// Answers that take long; see LatestWork. `earlier`: the revision before, or null for the
+    /// scene.
+    HttpReply deep(const HttpRequest& request, const std::string& client,
+                   const Scene* earlier = nullptr) const;
+    HttpReply still(const HttpRequest& request, const std::string& client,
+                    const Scene* earlier = nullptr) const;
     /// Answers about the revision before, which is there.
     HttpReply against(const HttpRequest& request, const std::string& client) const;
     HttpReply events(const std::string& client) const;
@@ -47,8 +44,11 @@ private:
 
     HttpReply streamed(const std::string& type, const std::string& client, const std::string& kind,
                        Streamed work) const;
-    bool send_deep(const Scene& scene, const ViewRequest& request, Outlet& outlet,
+    bool send_deep(const ViewRequest& request, const Scene* earlier, Outlet& outlet,
                    LatestWork::Turn& turn) const;
+
+    std::string still_png(const ViewRequest& request, const LightRig& rig, const Scene* earlier,
+                          const Job& job) const;
 
     ViewedScene& scene_;
     LatestWork& work_;

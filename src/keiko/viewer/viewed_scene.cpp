@@ -48,11 +48,31 @@ LightRig ViewedScene::rig_of(const ViewRequest& request) const {
     return request.planes ? with_planes(rig(), *request.planes) : rig();
 }
 
+namespace {
+
+/// A lock of a mutex that others may hold for long. Throws Cancelled.
+std::unique_lock<std::timed_mutex> locked(std::timed_mutex& mutex, const Job& job) {
+    constexpr std::chrono::milliseconds look{50};
+    std::unique_lock lock(mutex, std::defer_lock);
+    while (!lock.try_lock_for(look)) job.check();
+    return lock;
+}
+
+} // namespace
+
+std::shared_ptr<const Scene> ViewedScene::pictured(const ViewRequest& request, const Job& job) {
+    // Nothing owns the whole scene but this object, which outlives all answers.
+    if (request.hidden.empty()) return {std::shared_ptr<const Scene>(), &scene_};
+    const auto lock = locked(part_access_, job);
+    if (!part_ || part_->hidden != request.hidden)
+        part_ = {request.hidden,
+                 std::make_shared<const Scene>(without_faces(scene_, request.hidden, job))};
+    return part_->scene;
+}
+
 template <class Value>
 const Value& ViewedScene::Kept<Value>::get(const Job& job, const std::function<Value()>& make) {
-    constexpr std::chrono::milliseconds look{50};
-    std::unique_lock lock(making, std::defer_lock);
-    while (!lock.try_lock_for(look)) job.check();
+    const auto lock = locked(making, job);
     if (!value) value = make();
     return *value;
 }

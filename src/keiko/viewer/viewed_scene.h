@@ -4,7 +4,9 @@
 #include "keiko/api/place.h"
 #include "keiko/api/view.h"
 
+#include <cstdint>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -31,6 +33,9 @@ public:
     void set_against(Scene earlier) { against_.emplace(std::move(earlier)); }
     /// The earlier revision; null without one.
     const Scene* against() const { return against_ ? &*against_ : nullptr; }
+    /// The scene of a request's pictures, without the faces that it hides. The last one is kept.
+    /// Throws FieldError for a face that is not there, and Cancelled.
+    std::shared_ptr<const Scene> pictured(const ViewRequest& request, const Job& job);
     /// The scene as a page needs it, with the views and changed files of the report.
     ViewFacts facts_of_view() const;
     /// The rig that is shown.
@@ -65,6 +70,12 @@ private:
         const Value& get(const Job& job, const std::function<Value()>& make);
     };
 
+    /// The scene without some faces.
+    struct Part {
+        std::vector<std::uint32_t> hidden; ///< as in ViewRequest
+        std::shared_ptr<const Scene> scene;
+    };
+
     const Inspection& judged(const Job& job);
 
     Scene scene_;
@@ -75,6 +86,8 @@ private:
     Diagnostics remarks_;
     mutable std::mutex rig_access_;
     LightRig rig_;
+    std::timed_mutex part_access_;
+    std::optional<Part> part_; ///< the last that was requested
     Kept<Inspection> judged_;
     Kept<std::string> facts_, inspection_, faults_;
 };

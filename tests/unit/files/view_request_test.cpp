@@ -111,4 +111,12 @@ TEST(WithPlanes, ReplacesRowsAndLeavesOtherLights) {
     EXPECT_EQ(lamps_of(fewer.sources[0]), 10);
 }
 
+TEST(ViewRequest, HidesFacesByWholeNumbersInAnyOrder) {
+    EXPECT_TRUE(parse_view_request("").hidden.empty());
+    EXPECT_EQ(parse_view_request("hidden = [7, 3]").hidden, (std::vector<std::uint32_t>{3, 7}));
+    for (const char* wrong : {"hidden = [0]", "hidden = [1.5]", "hidden = [-1]", "hidden = [5e9]",
+                              "hidden = 3", "hidden = [\"hood\"]", "hidden = []"})
+        expect_refused(wrong, "hidden");
+}
+
 } // namespace keiko

@@ -111,6 +111,25 @@ TEST_F(EndpointsTest, ShowsAnEarlierRevisionOnlyWhereThereIsOne) {
     EXPECT_NE(now.text, before.text);
 }
 
+TEST_F(EndpointsTest, HidesFacesInPicturesOnRequest) {
+    const auto deep = [&](const std::string& hidden) {
+        Reader reader;
+        EXPECT_TRUE(ask("POST", "/deep", "interlaced = false\n" + hidden).stream(reader));
+        return reader.text;
+    };
+    const std::string whole = deep("");
+    std::string all = "hidden = [";
+    for (const Face& face : scene_->scene().model.faces) all += std::to_string(face.id) + ",";
+    const std::string none = deep(all + "]");
+    EXPECT_NE(whole, none);
+    EXPECT_NE(deep("hidden = [1]"), whole);
+    EXPECT_EQ(deep(""), whole);
+    const HttpReply unknown = ask("POST", "/still", "hidden = [1, 4000000000]");
+    EXPECT_EQ(unknown.status, 400);
+    EXPECT_TRUE(has(unknown, "no face 4000000000"));
+    EXPECT_EQ(ask("POST", "/still", "hidden = [1.5]").status, 400);
+}
+
 TEST_F(EndpointsTest, CutsTheBodyByAPlane) {
     const HttpReply cut = ask("POST", "/section", "y=0");
     EXPECT_EQ(cut.status, 200);

@@ -4,8 +4,25 @@
 #include "keiko/files/scene/scene_file.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace keiko {
+
+namespace {
+
+std::vector<std::uint32_t> hidden_from(const TomlTable& root) {
+    constexpr double largest_id = 0xffffffff;
+    std::vector<std::uint32_t> hidden;
+    for (const double id :
+         root.list("hidden", {.low = 1, .high = largest_id}).value_or(std::vector<double>())) {
+        if (id != std::floor(id)) throw root.error("hidden", "must be whole numbers");
+        hidden.push_back(static_cast<std::uint32_t>(id));
+    }
+    std::sort(hidden.begin(), hidden.end());
+    return hidden;
+}
+
+} // namespace
 
 ViewRequest parse_view_request(std::string_view text) {
     constexpr int most_reflections = 8;
@@ -20,6 +37,7 @@ ViewRequest parse_view_request(std::string_view text) {
     request.interlaced = root.flag("interlaced").value_or(request.interlaced);
     request.reflections =
         root.integer("reflections", 1, most_reflections).value_or(request.reflections);
+    request.hidden = hidden_from(root);
     root.finish();
     return request;
 }

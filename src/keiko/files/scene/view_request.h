@@ -4,6 +4,7 @@
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/scene/camera.h"
 
+#include <cstdint>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,7 @@ struct ViewRequest {
     std::optional<std::vector<CPlane>> planes{}; ///< none: those of the rig; else in place of them
     bool interlaced = true;                      ///< rows from coarse to fine, see interlaced_rows
     int reflections = 3;                         ///< of a deep buffer, 1 to 8
+    std::vector<std::uint32_t> hidden{};         ///< faces that are not shown, as Face::id
 };
 
 /// Parses a request (keiko-view-request/1, docs/file-formats.md). An empty text requests the view

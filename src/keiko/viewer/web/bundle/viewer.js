@@ -162,24 +162,24 @@ function showFacts(facts2) {
   ]);
 }
 function showRows(planes, selected, select, change) {
-  const number = (row, key, least) => {
+  const number = (row2, key, least) => {
     const input = element("input", "", {
       type: "number",
       min: least,
-      value: String(Number(planes[row][key].toFixed(2))),
+      value: String(Number(planes[row2][key].toFixed(2))),
       ariaLabel: key
     });
     input.onchange = () => {
       const value = Number(input.value);
-      if (value >= least) change(row, { ...planes[row], [key]: key === "lamps" ? Math.round(value) : value });
+      if (value >= least) change(row2, { ...planes[row2], [key]: key === "lamps" ? Math.round(value) : value });
     };
     return input;
   };
-  const lines2 = planes.map((_, row) => element("tr", [
-    element("td", [element("input", "", { type: "radio", name: "row", checked: row === selected, onchange: () => select(row) })]),
-    element("td", [number(row, "lamps", 1)]),
-    element("td", [number(row, "pitch", 1)]),
-    element("td", [number(row, "diameter", 1)])
+  const lines2 = planes.map((_, row2) => element("tr", [
+    element("td", [element("input", "", { type: "radio", name: "row", checked: row2 === selected, onchange: () => select(row2) })]),
+    element("td", [number(row2, "lamps", 1)]),
+    element("td", [number(row2, "pitch", 1)]),
+    element("td", [number(row2, "diameter", 1)])
   ]));
   const head = element("tr", ["row", "lamps", "pitch mm", "Ø mm"].map((name) => element("th", name)));
   byId("rows").replaceChildren(element("table", [head, ...lines2]));
@@ -600,8 +600,8 @@ var Picture = class {
     if (isFirst) this.begin(camera);
     const { gl } = this, numbers = 8 * pass.width;
     this.bind("samples");
-    for (let row = 0; row * numbers < pass.samples.length; ++row) {
-      const y = pass.first + row * pass.step, part = pass.samples.subarray(row * numbers, (row + 1) * numbers);
+    for (let row2 = 0; row2 * numbers < pass.samples.length; ++row2) {
+      const y = pass.first + row2 * pass.step, part = pass.samples.subarray(row2 * numbers, (row2 + 1) * numbers);
       this.samples.set(part, y * numbers);
       gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, y, 2 * pass.width, 1, gl.RGBA, gl.FLOAT, part);
     }
@@ -840,8 +840,8 @@ function tokenOf() {
   return sessionStorage.getItem("token") ?? "";
 }
 var headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
-async function ask(method, path, body, signal) {
-  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body ?? "", signal });
+async function ask(method, path, body2, signal) {
+  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body2 ?? "", signal });
   if (reply.ok) return reply;
   const text = await reply.text();
   let reason = text;
@@ -881,6 +881,7 @@ function cameraText(camera) {
 var viewText = (camera) => `format = "keiko-view/1"
 ${cameraText(camera)}
 `;
+var hiddenText = (faces) => faces.length > 0 ? `hidden = ${vector(faces)}` : "";
 function requestText(camera, planes, more = "") {
   return [
     'format = "keiko-view-request/1"',
@@ -1181,12 +1182,58 @@ function sectionPanel(into, host, picture) {
   into.replaceChildren(axis, slider, text);
 }
 
+// source/tree.ts
+function row(name, faces, boxes, changed) {
+  const box = element("input", "", { type: "checkbox", checked: true, ariaLabel: `show ${name}` });
+  box.onchange = () => {
+    for (const face of faces) for (const each of boxes.get(face)) each.checked = box.checked;
+    changed();
+  };
+  const alone = button(name, () => {
+    for (const [face, all] of boxes) for (const each of all) each.checked = faces.includes(face);
+    changed();
+  });
+  alone.title = "show this alone";
+  if (faces.length === 1) boxes.set(faces[0], [...boxes.get(faces[0]) ?? [], box]);
+  return element("span", [box, alone]);
+}
+function body(facts2, part, boxes, changed) {
+  const faces = facts2.face_list.filter((face) => face.part === part);
+  const leaves = faces.map((face) => element("li", [row(`${face.id} ${face.name}`, [face.id], boxes, changed)]));
+  const name = facts2.part_list[part].name || `body ${part + 1}`;
+  return element("details", [
+    element("summary", [row(`${name} (${faces.length})`, faces.map((face) => face.id), boxes, changed)]),
+    element("ul", leaves)
+  ], { open: facts2.part_list.length === 1 });
+}
+function treePanel(into, host) {
+  const show = (facts2) => {
+    const boxes = /* @__PURE__ */ new Map();
+    const changed = () => host.hide([...boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
+    const all = () => {
+      for (const box of into.querySelectorAll("input")) box.checked = true;
+      changed();
+    };
+    const parts = facts2.part_list.map((_, part) => body(facts2, part, boxes, changed));
+    into.replaceChildren(button("show all", all), ...parts);
+  };
+  const fetchAll = async () => {
+    try {
+      show(await (await ask("GET", "/facts")).json());
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  into.replaceChildren(button("list", () => void fetchAll()));
+}
+
 // source/main.ts
 var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
 var rest = 300;
 var Viewer = class {
   constructor(facts2) {
     this.facts = facts2;
+    this.hidden = [];
     this.look = "lamps";
     this.row = 0;
     this.white = 0;
@@ -1218,7 +1265,8 @@ var Viewer = class {
     let isFirst = true;
     try {
       const more = `interlaced = ${!isDraft}
-reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
+reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}
+${hiddenText(this.hidden)}`;
       const reply = await ask("POST", "/deep", requestText(camera, void 0, more), own.signal);
       await readPasses(reply, (pass) => {
         if (own.signal.aborted) return;
@@ -1279,7 +1327,7 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
   async fetchStill() {
     const own = this.exact = new AbortController();
     try {
-      const reply = await ask("POST", "/still", requestText(this.camera, this.planes), own.signal);
+      const reply = await ask("POST", "/still", requestText(this.camera, this.planes, hiddenText(this.hidden)), own.signal);
       const image = await createImageBitmap(await reply.blob());
       if (own.signal.aborted) return;
       Object.assign(this.still, { width: image.width, height: image.height, hidden: false });
@@ -1383,10 +1431,10 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
     this.changed(false, true);
   }
   showLamps() {
-    showRows(this.planes, this.row, (row) => {
-      this.row = row;
-    }, (row, plane) => {
-      this.planes = this.planes.map((p, i) => i === row ? withRoom(plane) : p);
+    showRows(this.planes, this.row, (row2) => {
+      this.row = row2;
+    }, (row2, plane) => {
+      this.planes = this.planes.map((p, i) => i === row2 ? withRoom(plane) : p);
       this.changed(false, true);
     });
   }
@@ -1409,6 +1457,7 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
     );
     faultsPanel(byId("faults"), this.host());
     comparePanel(byId("compare"), this.host(), this.canvas);
+    treePanel(byId("tree"), this.host());
     sectionPanel(byId("section"), this.host(), this.canvas);
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
@@ -1419,7 +1468,11 @@ reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
       camera: () => this.camera,
       display: () => this.display(),
       lookFrom: (camera) => this.lookFrom(camera),
-      fail: (error) => this.fail(error)
+      fail: (error) => this.fail(error),
+      hide: (faces) => {
+        this.hidden = faces;
+        this.changed(true, true);
+      }
     };
   }
   lookFrom(camera) {

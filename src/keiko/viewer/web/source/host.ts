@@ -11,6 +11,8 @@ export interface Host {
   display(): Display;
   /** Shows the scene from another eye, in a picture of the same size. */
   lookFrom(camera: Camera): void;
+  /** Shows the scene without some faces, by their numbers in the file. */
+  hide(faces: number[]): void;
   /** Tells the user of an error. */
   fail(error: unknown): void;
 }

@@ -7,7 +7,8 @@ import { Host } from "./host";
 import { button, byId, choice, download, showFacts, showPairs, showRows, showSeams } from "./panel";
 import { Look, looks, Picture } from "./picture";
 import { sectionPanel } from "./section";
-import { ask, facts as fetchFacts, followProgress, newRig, requestText, viewText } from "./server";
+import { ask, facts as fetchFacts, followProgress, hiddenText, newRig, requestText, viewText } from "./server";
+import { treePanel } from "./tree";
 import { difference, dot, length, scaled, sum, unit, Vector } from "./vector";
 
 const shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
@@ -17,6 +18,7 @@ const rest = 300; // ms without a change before the exact picture is requested
 class Viewer {
   private camera: Camera;
   private planes: Plane[];
+  private hidden: number[] = [];
   private look: Look = "lamps";
   private row = 0;
   private white = 0;
@@ -50,7 +52,7 @@ class Viewer {
     const began = performance.now();
     let isFirst = true;
     try {
-      const more = `interlaced = ${!isDraft}\nreflections = ${Math.min(8, Math.max(1, this.facts.reflections))}`;
+      const more = `interlaced = ${!isDraft}\nreflections = ${Math.min(8, Math.max(1, this.facts.reflections))}\n${hiddenText(this.hidden)}`;
       const reply = await ask("POST", "/deep", requestText(camera, undefined, more), own.signal);
       await readPasses(reply, (pass) => {
         if (own.signal.aborted) return;
@@ -114,7 +116,7 @@ class Viewer {
   private async fetchStill(): Promise<void> {
     const own = this.exact = new AbortController();
     try {
-      const reply = await ask("POST", "/still", requestText(this.camera, this.planes), own.signal);
+      const reply = await ask("POST", "/still", requestText(this.camera, this.planes, hiddenText(this.hidden)), own.signal);
       const image = await createImageBitmap(await reply.blob());
       if (own.signal.aborted) return;
       Object.assign(this.still, { width: image.width, height: image.height, hidden: false });
@@ -242,6 +244,7 @@ class Viewer {
       button("save", () => void this.save()), button("open", () => this.open()));
     faultsPanel(byId("faults"), this.host());
     comparePanel(byId("compare"), this.host(), this.canvas);
+    treePanel(byId("tree"), this.host());
     sectionPanel(byId("section"), this.host(), this.canvas);
     byId("seams").replaceChildren(button("judge", () => void this.judge()));
     showFacts(this.facts);
@@ -251,6 +254,10 @@ class Viewer {
     return {
       facts: this.facts, camera: () => this.camera, display: () => this.display(),
       lookFrom: (camera) => this.lookFrom(camera), fail: (error) => this.fail(error),
+      hide: (faces) => {
+        this.hidden = faces;
+        this.changed(true, true);
+      },
     };
   }
 

@@ -48,6 +48,9 @@ function cameraText(camera: Camera): string {
 /** The text of a view file, keiko-view/1. */
 export const viewText = (camera: Camera): string => `format = "keiko-view/1"\n${cameraText(camera)}\n`;
 
+/** The line of a request that hides faces. */
+export const hiddenText = (faces: number[]): string => faces.length > 0 ? `hidden = ${vector(faces)}` : "";
+
 /** The text of a request, keiko-view-request/1. */
 export function requestText(camera: Camera, planes?: Plane[], more = ""): string {
   return ['format = "keiko-view-request/1"', more, planes?.length === 0 ? "c_plane = []" : "", "[camera]",

@@ -1,0 +1,71 @@
+#include "keiko/workflow/hidden_faces.h"
+
+#include <algorithm>
+#include <array>
+
+namespace keiko {
+namespace {
+
+/// True for each face of the model that is hidden.
+std::vector<bool> hidden_among(const SurfaceModel& model, std::span<const std::uint32_t> ids) {
+    std::vector<bool> hidden;
+    for (const Face& face : model.faces)
+        hidden.push_back(std::find(ids.begin(), ids.end(), face.id) != ids.end());
+    return hidden;
+}
+
+SurfaceModel without(SurfaceModel model, const std::vector<bool>& hidden) {
+    std::vector<Patch> patches;
+    for (std::size_t i = 0; i < hidden.size(); ++i) {
+        Face& face = model.faces[i];
+        const auto first = model.patches.begin() + face.first_patch;
+        if (hidden[i]) face.patch_count = face.loop_count = 0;
+        face.first_patch = static_cast<std::uint32_t>(patches.size());
+        patches.insert(patches.end(), first, first + face.patch_count);
+    }
+    model.patches = std::move(patches);
+    std::erase_if(model.irregular_patches,
+                  [&](const IrregularPatch& patch) { return hidden[patch.face]; });
+    return model;
+}
+
+} // namespace
+
+void require_faces(const SurfaceModel& model, std::span<const std::uint32_t> ids) {
+    for (const std::uint32_t id : ids)
+        if (std::none_of(model.faces.begin(), model.faces.end(),
+                         [&](const Face& face) { return face.id == id; }))
+            throw FieldError("hidden", "there is no face " + std::to_string(id));
+}
+
+Scene without_faces(const Scene& scene, std::span<const std::uint32_t> ids, const Job& job) {
+    require_faces(scene.model, ids);
+    constexpr TracerOptions tracing{.second_derivatives = true};
+    SurfaceModel model = without(scene.model, hidden_among(scene.model, ids));
+    Tracer tracer(model, tracing, job);
+    Scene shown{.model = std::move(model),
+                .materials = scene.materials,
+                .tracer = std::move(tracer),
+                .occluders = {},
+                .camera = scene.camera,
+                .view = scene.view,
+                .rig = scene.rig,
+                .background = scene.background,
+                .width = scene.width,
+                .height = scene.height,
+                .max_depth = scene.max_depth,
+                .min_weight = scene.min_weight,
+                .inputs = scene.inputs};
+    std::optional<SurfaceModel> grounded;
+    if (scene.surroundings) {
+        grounded = merge(std::array{
+            shown.model, ground_plane(scene.surroundings->ground, scene.tracer.bounds())});
+        shown.surroundings = Surroundings{scene.surroundings->ground, scene.surroundings->materials,
+                                          Tracer(*grounded, tracing, job)};
+    }
+    if (scene.occluders)
+        shown.occluders.emplace(grounded ? *grounded : shown.model, shown.seen(), job);
+    return shown;
+}
+
+} // namespace keiko
