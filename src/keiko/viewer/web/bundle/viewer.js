@@ -14,25 +14,25 @@ function turned(a, axis, angle) {
 // source/camera.ts
 function axesOf(camera) {
   const forward = unit(difference(camera.target, camera.eye));
-  const right = unit(cross(forward, camera.up));
-  return { right, up: cross(right, forward), forward };
+  const right2 = unit(cross(forward, camera.up));
+  return { right: right2, up: cross(right2, forward), forward };
 }
 function pixelSize(camera) {
   const height = camera.projection === "orthographic" ? camera.orthographic_height : 2 * Math.tan(camera.vertical_fov * Math.PI / 360);
   return height / camera.height;
 }
 function rayOf(camera, x, y) {
-  const { right, up, forward } = axesOf(camera);
-  const size = pixelSize(camera);
-  const aside = sum(scaled(right, (x - camera.width / 2) * size), scaled(up, (camera.height / 2 - y) * size));
+  const { right: right2, up, forward } = axesOf(camera);
+  const size2 = pixelSize(camera);
+  const aside = sum(scaled(right2, (x - camera.width / 2) * size2), scaled(up, (camera.height / 2 - y) * size2));
   return camera.projection === "orthographic" ? { origin: sum(camera.eye, aside), direction: forward } : { origin: camera.eye, direction: unit(sum(forward, aside)) };
 }
-function orbited(camera, about, right, up) {
+function orbited(camera, about, right2, up) {
   const vertical = unit(camera.up), axes = axesOf(camera);
   const steepest = 0.999;
   const level = dot(turned(axes.forward, axes.right, up), vertical);
   const raised = Math.abs(level) < steepest ? up : 0;
-  const turn = (v) => turned(turned(v, axes.right, raised), vertical, right);
+  const turn = (v) => turned(turned(v, axes.right, raised), vertical, right2);
   return {
     ...camera,
     eye: sum(about, turn(difference(camera.eye, about))),
@@ -40,10 +40,10 @@ function orbited(camera, about, right, up) {
   };
 }
 function panned(camera, x, y) {
-  const { right, up } = axesOf(camera);
+  const { right: right2, up } = axesOf(camera);
   const far = camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye));
-  const step = sum(scaled(right, -x * pixelSize(camera) * far), scaled(up, y * pixelSize(camera) * far));
-  return { ...camera, eye: sum(camera.eye, step), target: sum(camera.target, step) };
+  const step2 = sum(scaled(right2, -x * pixelSize(camera) * far), scaled(up, y * pixelSize(camera) * far));
+  return { ...camera, eye: sum(camera.eye, step2), target: sum(camera.target, step2) };
 }
 function dollied(camera, factor) {
   const away = scaled(difference(camera.eye, camera.target), factor);
@@ -61,65 +61,6 @@ function sized(camera, width, height) {
   return { ...camera, width, height };
 }
 
-// source/deep_buffer.ts
-var header = 32;
-var sampleBytes = 32;
-var bounceBytes = 36;
-var magic = "KEIKOD1\n";
-function sizeOf(view) {
-  return header + view.getUint32(24, true) * sampleBytes + view.getUint32(28, true) * bounceBytes;
-}
-function passOf(bytes) {
-  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  const samples = view.getUint32(24, true);
-  const end = header + samples * sampleBytes;
-  return {
-    width: view.getUint32(8, true),
-    height: view.getUint32(12, true),
-    first: view.getUint32(16, true),
-    step: view.getUint32(20, true),
-    samples: new Float32Array(bytes.buffer, bytes.byteOffset + header, samples * 8),
-    bounces: new DataView(bytes.buffer, bytes.byteOffset + end, bytes.byteLength - end)
-  };
-}
-var Reader = class {
-  constructor(stream) {
-    this.rest = new Uint8Array(0);
-    this.reader = stream.getReader();
-  }
-  /** Writes into all of `to`; false at the end of the stream. */
-  async fill(to) {
-    let done = 0;
-    while (done < to.length) {
-      if (this.rest.length === 0) {
-        const { value } = await this.reader.read();
-        if (!value) {
-          if (done > 0) throw new Error("the deep buffer was cut off");
-          return false;
-        }
-        this.rest = value;
-      }
-      const count = Math.min(this.rest.length, to.length - done);
-      to.set(this.rest.subarray(0, count), done);
-      this.rest = this.rest.subarray(count);
-      done += count;
-    }
-    return true;
-  }
-};
-async function readPasses(reply, use) {
-  const reader = new Reader(reply.body);
-  for (; ; ) {
-    const head = new Uint8Array(header);
-    if (!await reader.fill(head)) return;
-    if (new TextDecoder().decode(head.subarray(0, 8)) !== magic) throw new Error("this is no deep buffer");
-    const bytes = new Uint8Array(sizeOf(new DataView(head.buffer)));
-    bytes.set(head);
-    await reader.fill(bytes.subarray(header));
-    use(passOf(bytes));
-  }
-}
-
 // source/panel.ts
 function element(tag, content = "", properties = {}) {
   const made = Object.assign(document.createElement(tag), properties);
@@ -130,8 +71,8 @@ var byId = (id) => document.getElementById(id);
 function button(name, act) {
   return element("button", name, { onclick: act, type: "button" });
 }
-function download(name, bytes) {
-  const href = URL.createObjectURL(bytes);
+function download(name, bytes2) {
+  const href = URL.createObjectURL(bytes2);
   element("a", "", { href, download: name }).click();
   URL.revokeObjectURL(href);
 }
@@ -145,23 +86,28 @@ function choice(into, names, pressed, choose) {
     return made;
   }));
 }
+function selection(name, options, chosen, choose) {
+  const list2 = element("select", options.map((option) => element("option", option, { selected: option === chosen })), { ariaLabel: name });
+  list2.onchange = () => choose(list2.value);
+  return element("label", [new Text(`${name} `), list2]);
+}
 function showPairs(list2, pairs) {
   list2.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
 }
 function showFacts(facts2) {
   const { lower, upper } = facts2.bounds;
-  const size = upper.map((x, i) => (x - lower[i]).toFixed(0)).join(" × ");
+  const size2 = upper.map((x, i) => (x - lower[i]).toFixed(0)).join(" × ");
   showPairs(byId("facts"), [
     ["file", facts2.inputs.join(", ")],
     ["view", facts2.view],
     ["faces", String(facts2.faces.length)],
-    ["size", `${size} mm`],
+    ["size", `${size2} mm`],
     ["materials", facts2.materials.map((m) => m.name).join(", ")],
     ["Keiko", facts2.tool.version],
     ...facts2.remarks.map(({ entity, message }) => ["note", `${entity} ${message}`])
   ]);
 }
-function showRows(planes, selected, select, change) {
+function showRows(planes, selected, select, change2) {
   const number = (row2, key, least) => {
     const input = element("input", "", {
       type: "number",
@@ -171,7 +117,7 @@ function showRows(planes, selected, select, change) {
     });
     input.onchange = () => {
       const value = Number(input.value);
-      if (value >= least) change(row2, { ...planes[row2], [key]: key === "lamps" ? Math.round(value) : value });
+      if (value >= least) change2(row2, { ...planes[row2], [key]: key === "lamps" ? Math.round(value) : value });
     };
     return input;
   };
@@ -195,658 +141,1338 @@ function showSeams(seams, fly) {
   byId("seams").replaceChildren(seams.length > 0 ? element("table", lines2) : element("p", "no seams"));
 }
 
-// source/shader.ts
-var mostPlanes = 16;
-var bouncesARow = 1024;
-var facesARow = 1024;
-var vertexShader = `#version 300 es
-void main() {
-  vec2 corner = vec2(gl_VertexID == 1 ? 3 : -1, gl_VertexID == 2 ? 3 : -1);
-  gl_Position = vec4(corner, 0, 1);
-}`;
-var declarations = `precision highp float;
-precision highp int;
-precision highp sampler2D;
-precision highp usampler2D;
-struct Plane {
-  vec3 origin, u, v, normal, luminance;
-  float length, first, pitch, diameter;
-  int lamps;
-  bool round;
+// source/fresnel.ts
+function dielectric(c, n) {
+  const g2 = n * n - 1 + c * c;
+  if (!(g2 > 0)) return 1;
+  const g = Math.sqrt(g2), a = (g - c) / (g + c), b = (c * (g + c) - 1) / (c * (g - c) + 1);
+  return 0.5 * a * a * (1 + b * b);
+}
+function conductor(c, n, k) {
+  const c2 = c * c, s2 = 1 - c2, m = n * n - k * k - s2, root = Math.sqrt(m * m + 4 * n * n * k * k);
+  const a = Math.sqrt(Math.max(0.5 * (root + m), 0)), across = root + c2, along = 2 * a * c;
+  const s = (across - along) / (across + along), level = c2 * root + s2 * s2, side = along * s2;
+  return 0.5 * s * (1 + (level - side) / (level + side));
+}
+var Mirrors = class {
+  // by `face` of a sample plus 1: the ground, nothing, the faces
+  constructor(facts2) {
+    this.materials = facts2.materials;
+    this.ofFace = Uint16Array.from([facts2.ground?.material ?? 0, 0, ...facts2.faces.map((face) => face.material)]);
+  }
+  /** Number of a face's material. */
+  material(face) {
+    return this.ofFace[face + 1];
+  }
+  /** Multiplies a weight, red, green and blue, by what a face reflects at a cosine. */
+  weigh(weight, face, cosine) {
+    const m = this.materials[this.material(face)], c = Math.abs(cosine);
+    if (!m.mirror) weight.fill(0);
+    else if (!m.metal) {
+      const share2 = dielectric(c, m.n[0]);
+      for (let k = 0; k < 3; ++k) weight[k] *= share2;
+    } else for (let k = 0; k < 3; ++k) weight[k] *= conductor(c, m.n[k], m.k[k]);
+  }
 };
-uniform Plane planes[PLANES + 1];
-uniform vec3 eye, right, up, forward;
-uniform bool is_parallel;
-uniform float pixel_size;
-uniform ivec2 size;
-uniform int row_step, stride;
-uniform float white, full_curvature, min_weight;
-uniform vec3 background, ambient;
-uniform sampler2D samples, bounces, materials;
-uniform usampler2D first_bounce, material_of_face;
-uniform int ground_material;
-out vec4 color;
 
-/// A ray and its change by a pixel to the right and down.
-struct Ray { vec3 origin, direction, origin_dx, origin_dy, direction_dx, direction_dy; };
-/// The first surface on a ray.
-struct Surface { float t; vec3 normal, x, y; vec3 shape; float way, face; };
-`;
-var surfaces = `
-Surface surface_of(vec4 a, vec4 b) {
-  Surface s;
-  s.t = a.x, s.shape = vec3(a.w, b.xy), s.way = b.z, s.face = b.w;
-  vec2 p = a.yz, q = abs(p);
-  bool is_lower = q.x + q.y > 1.0;
-  vec2 place = is_lower ? (1.0 - q.yx) * vec2(p.x < 0.0 ? -1 : 1, p.y < 0.0 ? -1 : 1) : p;
-  vec3 n = normalize(vec3(place, 1.0 - q.x - q.y));
-  float side = is_lower ? -1.0 : 1.0, c = -1.0 / (side + n.z), d = n.x * n.y * c;
-  s.normal = n;
-  s.x = vec3(1.0 + side * n.x * n.x * c, side * d, -side * n.x);
-  s.y = vec3(d, side + n.y * n.y * c, -n.y);
-  return s;
-}
-
-int material_number(float face) {
-  int index = int(face) - 1;
-  return face < 0.0 ? ground_material
-    : int(texelFetch(material_of_face, ivec2(index % ${facesARow}, index / ${facesARow}), 0).r);
-}
-
-Ray camera_ray(vec2 pixel) {
-  vec2 at = (pixel - 0.5 * vec2(size)) * pixel_size;
-  vec3 aside = right * at.x - up * at.y, dx = right * pixel_size, dy = -up * pixel_size;
-  if (is_parallel) return Ray(eye + aside, forward, dx, dy, vec3(0), vec3(0));
-  vec3 through = forward + aside;
-  float per_length = inversesqrt(dot(through, through));
-  vec3 d = through * per_length;
-  return Ray(eye, d, vec3(0), vec3(0), (dx - d * dot(d, dx)) * per_length, (dy - d * dot(d, dy)) * per_length);
-}
-
-vec3 turn_of(Surface s, vec3 step) {
-  float a = dot(step, s.x), b = dot(step, s.y);
-  return -(s.x * (s.shape.x * a + s.shape.y * b) + s.y * (s.shape.y * a + s.shape.z * b));
-}
-
-Ray reflected(Ray ray, Surface s) {
-  Ray r;
-  vec3 d = ray.direction, n = s.normal;
-  float along = dot(d, n);
-  r.origin = ray.origin + d * s.t;
-  r.direction = d - n * (2.0 * along);
-  vec3 moved_x = ray.origin_dx + ray.direction_dx * s.t, moved_y = ray.origin_dy + ray.direction_dy * s.t;
-  r.origin_dx = moved_x - d * (dot(moved_x, n) / along);
-  r.origin_dy = moved_y - d * (dot(moved_y, n) / along);
-  vec3 turn_x = turn_of(s, r.origin_dx), turn_y = turn_of(s, r.origin_dy);
-  r.direction_dx = ray.direction_dx - 2.0 * (turn_x * along + n * (dot(ray.direction_dx, n) + dot(d, turn_x)));
-  r.direction_dy = ray.direction_dy - 2.0 * (turn_y * along + n * (dot(ray.direction_dy, n) + dot(d, turn_y)));
-  return r;
-}
-`;
-var lamps = `
-/// A pixel's image along one axis: the convolution of two boxes, a trapezoid of unit area.
-struct Filter { float wide, narrow, reach, per_wide, per_both; };
-
-Filter filter_of(float by_x, float by_y) {
-  const float least = 1e-6; // mm: nearly a point
-  float wide = max(max(abs(by_x), abs(by_y)), least), narrow = max(min(abs(by_x), abs(by_y)), least);
-  return Filter(wide, narrow, 0.5 * (wide + narrow), 1.0 / wide, 0.5 / (wide * narrow));
-}
-/// Integral from the centre to x.
-float below(Filter f, float x) {
-  float away = abs(x), rest = f.reach - away;
-  float inside = away <= f.reach - f.narrow ? away * f.per_wide : 0.5 - rest * rest * f.per_both;
-  return sign(x) * (away >= f.reach ? 0.5 : inside);
-}
-float share(Filter f, float begin, float end) {
-  return max(below(f, end) - below(f, begin), 0.0);
-}
-
-/// Share of a pixel's image around v that falls on the row's strips of a width.
-float strips(Plane p, float width, float v, Filter f) {
-  float last = p.first + float(p.lamps - 1) * p.pitch, half_width = 0.5 * width, away = v - p.first, sum = 0.0;
-  bool is_resolved = f.wide <= 4.0 * p.pitch, is_apart = is_resolved && width < p.pitch;
-  // Stripes that are too fine are a grey band; tubes that overlap are one strip.
-  float beyond = is_resolved ? half_width : 0.5 * max(p.pitch, width);
-  float band = share(f, p.first - beyond - v, last + beyond - v) * (is_resolved ? 1.0 : min(width / p.pitch, 1.0));
-  float reach = f.reach + half_width, begin = max(ceil((away - reach) / p.pitch), 0.0);
-  float end = is_apart ? min(floor((away + reach) / p.pitch), float(p.lamps - 1)) : -1.0;
-  for (float lamp = begin; lamp <= end; lamp += 1.0) {
-    float at = lamp * p.pitch - away;
-    sum += share(f, at - half_width, at + half_width);
+// source/ray.ts
+var rayNumbers = 18;
+var originX = 6;
+var originY = 9;
+var directionX = 12;
+var directionY = 15;
+var direction = 3;
+var CameraRays = class {
+  constructor(camera) {
+    this.camera = camera;
+    this.axes = axesOf(camera);
+    this.size = pixelSize(camera);
+    this.isParallel = camera.projection === "orthographic";
   }
-  return is_apart ? sum : band;
-}
-
-/// t where a ray meets a plane; 0 or less if it does not.
-float meeting(Plane p, Ray ray) {
-  float down = dot(p.normal, ray.direction);
-  return abs(down) > 1e-9 ? -dot(p.normal, ray.origin - p.origin) / down : -1.0;
-}
-
-float coverage(Plane p, Ray ray, float t, bool is_point) {
-  vec3 at = ray.origin - p.origin + ray.direction * t;
-  vec3 d = vec3(dot(p.u, ray.direction), dot(p.v, ray.direction), dot(p.normal, ray.direction));
-  float u = dot(p.u, at), v = dot(p.v, at);
-  float width = p.diameter * (p.round ? length(d.yz) / abs(d.z) : 1.0);
-  vec3 dx = ray.origin_dx + ray.direction_dx * t, dy = ray.origin_dy + ray.direction_dy * t;
-  vec2 slope = d.xy / d.z;
-  vec2 x = vec2(dot(p.u, dx), dot(p.v, dx)) - slope * dot(p.normal, dx);
-  vec2 y = vec2(dot(p.u, dy), dot(p.v, dy)) - slope * dot(p.normal, dy);
-  if (is_point) x = y = vec2(0);
-  // At the ends of lamps the filter is taken for a product of both directions.
-  float along = share(filter_of(x.x, y.x), -u, p.length - u);
-  return along * strips(p, width, v, filter_of(x.y, y.y));
-}
-`;
-var bends = `
-/// A pixel's reflected rays, origin and direction, as a cubic in the place in the picture.
-struct Cubic { mat2x3 value, x, y, xx, xy, yy, xxx, xxy, xyy, yyy; };
-
-mat2x3 by_x(Ray r) { return mat2x3(r.origin_dx, r.direction_dx); }
-mat2x3 by_y(Ray r) { return mat2x3(r.origin_dy, r.direction_dy); }
-
-Cubic cubic_of(Ray own, Ray before, Ray after, Ray above, Ray beneath) {
-  Cubic q;
-  q.value = mat2x3(own.origin, own.direction), q.x = by_x(own), q.y = by_y(own);
-  q.xx = 0.5 * (by_x(after) - by_x(before)), q.yy = 0.5 * (by_y(beneath) - by_y(above));
-  q.xy = 0.25 * (by_x(beneath) - by_x(above) + by_y(after) - by_y(before));
-  q.xxx = by_x(after) - 2.0 * q.x + by_x(before), q.xxy = by_y(after) - 2.0 * q.y + by_y(before);
-  q.xyy = by_x(beneath) - 2.0 * q.x + by_x(above), q.yyy = by_y(beneath) - 2.0 * q.y + by_y(above);
-  return q;
-}
-
-/// The ray of a part of the pixel, of a share of its sides.
-Ray part_of(Cubic q, vec2 at, float share_of_side) {
-  float x = at.x, y = at.y, xx = 0.5 * x * x, xy = x * y, yy = 0.5 * y * y;
-  mat2x3 r = q.value + q.x * x + q.y * y + q.xx * xx + q.xy * xy + q.yy * yy + q.xxx * (xx * x / 3.0) +
-    q.xxy * (xx * y) + q.xyy * (x * yy) + q.yyy * (yy * y / 3.0);
-  mat2x3 dx = (q.x + q.xx * x + q.xy * y + q.xxx * xx + q.xxy * xy + q.xyy * yy) * share_of_side;
-  mat2x3 dy = (q.y + q.xy * x + q.yy * y + q.xxy * xx + q.xyy * xy + q.yyy * yy) * share_of_side;
-  return Ray(r[0], r[1], dx[0], dy[0], dx[1], dy[1]);
-}
-
-/// Deviation of the pixel's corners on a plane from a linear image, across the lamps, in pitches.
-float bend_of(Plane p, Cubic q, Ray ray, float t) {
-  vec3 dx = ray.origin_dx + ray.direction_dx * t, dy = ray.origin_dy + ray.direction_dy * t;
-  float slope = dot(p.v, ray.direction) / dot(p.normal, ray.direction), bend = 0.0;
-  float v = dot(p.v, ray.origin - p.origin + ray.direction * t);
-  vec2 by = vec2(dot(p.v, dx) - slope * dot(p.normal, dx), dot(p.v, dy) - slope * dot(p.normal, dy));
-  for (int i = 0; i < 4; ++i) {
-    vec2 corner = vec2(i % 2, i / 2) - 0.5;
-    Ray r = part_of(q, corner, 1.0);
-    float own = meeting(p, r);
-    if (own <= 0.0) return 0.0;
-    bend = max(bend, abs(dot(p.v, r.origin - p.origin + r.direction * own) - v - dot(by, corner)));
-  }
-  return bend / p.pitch;
-}
-
-`;
-var pixels = `
-Surface surface_at(ivec2 pixel) {
-  return surface_of(texelFetch(samples, ivec2(2 * pixel.x, pixel.y), 0),
-                    texelFetch(samples, ivec2(2 * pixel.x + 1, pixel.y), 0));
-}
-
-/// The reflected ray of a neighbour; false if it shows another surface than s, which is at a place.
-bool neighbours(ivec2 pixel, Surface s, vec3 place, out Ray mirrored) {
-  if (any(lessThan(pixel, ivec2(0))) || any(greaterThanEqual(pixel, size))) return false;
-  Surface o = surface_at(pixel);
-  if (isinf(o.t) || isnan(o.shape.x) || material_number(o.face) != material_number(s.face)) return false;
-  Ray ray = camera_ray(vec2(pixel) + 0.5);
-  mirrored = reflected(ray, o);
-  vec3 step = mirrored.origin - place, turn = cross(s.normal, o.normal);
-  float along = dot(s.normal, o.normal), off = min(abs(dot(step, s.normal)), abs(dot(step, o.normal)));
-  return dot(turn, turn) <= 0.031091 * along * along && off * off <= 0.04 * dot(step, step);
-}
-
-/// Light of all rows in a pixel: of one whose image is bent, the mean over its parts.
-vec4 first_rows(ivec2 pixel, Surface s, Ray ray, bool is_point) {
-  Ray before, after, above, beneath;
-  bool is_amid = row_step == 1 && !is_point && neighbours(pixel - ivec2(1, 0), s, ray.origin, before) &&
-    neighbours(pixel + ivec2(1, 0), s, ray.origin, after) && neighbours(pixel - ivec2(0, 1), s, ray.origin, above) &&
-    neighbours(pixel + ivec2(0, 1), s, ray.origin, beneath);
-  float straight = 0.01, parts = 1.0;
-  Cubic q = cubic_of(ray, before, after, above, beneath);
-  for (int todo = is_amid ? 1 : 0; todo > 0; --todo)
-    parts = clamp(ceil(sqrt(nearest_bend(q, ray) / straight)), 1.0, 8.0);
-  vec4 sum = vec4(0);
-  for (float y = 0.5; y < parts; y += 1.0)
-    for (float x = 0.5; x < parts; x += 1.0) {
-      Ray part = ray;
-      if (parts > 1.0) part = part_of(q, vec2(x, y) / parts - 0.5, 1.0 / parts);
-      sum += rows(part, s.way, is_point);
+  /** Sets a ray to that through a pixel's centre. */
+  set(ray, x, y) {
+    const { right: right2, up, forward } = this.axes, { eye, width, height } = this.camera, { size: size2 } = this;
+    const across = (x + 0.5 - 0.5 * width) * size2, down = (y + 0.5 - 0.5 * height) * size2;
+    let square = 0, byX = 0, byY = 0;
+    for (let k = 0; k < 3; ++k) {
+      const aside = right2[k] * across - up[k] * down, dx = right2[k] * size2, dy = -up[k] * size2;
+      ray[k] = eye[k] + (this.isParallel ? aside : 0);
+      ray[originX + k] = this.isParallel ? dx : 0, ray[originY + k] = this.isParallel ? dy : 0;
+      const d = ray[direction + k] = forward[k] + (this.isParallel ? 0 : aside);
+      ray[directionX + k] = this.isParallel ? 0 : dx, ray[directionY + k] = this.isParallel ? 0 : dy;
+      square += d * d, byX += d * dx, byY += d * dy;
     }
-  return sum / (parts * parts);
-}
-`;
-var looks = `
-float fresnel_dielectric(float c, float n) {
-  float g2 = n * n - 1.0 + c * c;
-  if (g2 <= 0.0) return 1.0;
-  float g = sqrt(g2), a = (g - c) / (g + c), b = (c * (g + c) - 1.0) / (c * (g - c) + 1.0);
-  return 0.5 * a * a * (1.0 + b * b);
-}
-float fresnel_conductor(float c, float n, float k) {
-  float c2 = c * c, s2 = 1.0 - c2, m = n * n - k * k - s2, a2b2 = sqrt(m * m + 4.0 * n * n * k * k);
-  float a = sqrt(max(0.5 * (a2b2 + m), 0.0)), across = a2b2 + c2, along = 2.0 * a * c;
-  float s = (across - along) / (across + along);
-  float up_ = c2 * a2b2 + s2 * s2, side = along * s2;
-  return 0.5 * s * (1.0 + (up_ - side) / (up_ + side));
-}
-vec3 mirrored(float face, float c) {
-  int number = material_number(face);
-  vec4 n = texelFetch(materials, ivec2(0, number), 0);
-  vec3 k = texelFetch(materials, ivec2(1, number), 0).rgb;
-  if (n.a == 0.0) return vec3(0);
-  if (n.a == 1.0) return vec3(fresnel_dielectric(c, n.r));
-  return vec3(fresnel_conductor(c, n.r, k.r), fresnel_conductor(c, n.g, k.g), fresnel_conductor(c, n.b, k.b));
-}
-
-/// Luminance of the reflections along a pixel's path, cd/m2.
-vec3 reflections_of(ivec2 pixel, Ray ray, Surface s) {
-  uint chain = texelFetch(first_bounce, pixel, 0).r;
-  int next = int(chain & 0xfffffffu), left = int(chain >> 28);
-  vec3 weight = mirrored(s.face, abs(dot(ray.direction, s.normal)));
-  bool is_point = isnan(s.shape.x);
-  ray = reflected(ray, s);
-#ifdef HURRIED
-  vec4 seen = rows(ray, s.way, is_point);
-#else
-  vec4 seen = first_rows(pixel, s, ray, is_point);
-#endif
-  vec3 sum = weight * seen.rgb;
-  weight *= 1.0 - seen.a;
-  for (; left > 0; --left, ++next) {
-    ivec2 at = ivec2(2 * (next % ${bouncesARow}), next / ${bouncesARow});
-    s = surface_of(texelFetch(bounces, at, 0), texelFetch(bounces, at + ivec2(1, 0), 0));
-    weight *= mirrored(s.face, abs(dot(ray.direction, s.normal)));
-    ray = reflected(ray, s);
-    seen = rows(ray, s.way, isnan(s.shape.x));
-    sum += weight * seen.rgb;
-    weight *= 1.0 - seen.a;
-    if (max(weight.r, max(weight.g, weight.b)) < min_weight) break;
+    if (!this.isParallel) normalize(ray, square, byX, byY);
   }
-  return sum + (isinf(s.way) ? weight * ambient : vec3(0));
+};
+function normalize(ray, square, byX, byY) {
+  const perLength = 1 / Math.sqrt(square);
+  for (let k = 0; k < 3; ++k) {
+    const d = ray[direction + k];
+    ray[direction + k] = d * perLength;
+    ray[directionX + k] = (ray[directionX + k] - d * byX / square) * perLength;
+    ray[directionY + k] = (ray[directionY + k] - d * byY / square) * perLength;
+  }
+}
+function cosineAt(ray, s) {
+  return ray[3] * s.normal[0] + ray[4] * s.normal[1] + ray[5] * s.normal[2];
+}
+function reflect(ray, s) {
+  const { normal: n, t } = s, along = cosineAt(ray, s);
+  let towardsX = 0, towardsY = 0, turnedX = 0, turnedY = 0;
+  for (let k = 0; k < 3; ++k) {
+    const d = ray[direction + k];
+    ray[k] += d * t;
+    ray[originX + k] += ray[directionX + k] * t, ray[originY + k] += ray[directionY + k] * t;
+    towardsX += ray[originX + k] * n[k], towardsY += ray[originY + k] * n[k];
+    turnedX += ray[directionX + k] * n[k], turnedY += ray[directionY + k] * n[k];
+  }
+  for (let k = 0; k < 3; ++k) {
+    const d = ray[direction + k];
+    ray[originX + k] -= d * (towardsX / along), ray[originY + k] -= d * (towardsY / along);
+  }
+  reflectDirection(ray, s, along, turnedX, turnedY);
+}
+function reflectDirection(ray, s, along, turnedX, turnedY) {
+  s.turn(ray, originX, turnX);
+  s.turn(ray, originY, turnY);
+  let byX = turnedX, byY = turnedY;
+  for (let k = 0; k < 3; ++k) byX += ray[direction + k] * turnX[k], byY += ray[direction + k] * turnY[k];
+  for (let k = 0; k < 3; ++k) {
+    const n = s.normal[k];
+    ray[directionX + k] -= 2 * (turnX[k] * along + n * byX);
+    ray[directionY + k] -= 2 * (turnY[k] * along + n * byY);
+    ray[direction + k] -= 2 * along * n;
+  }
+}
+var turnX = new Float64Array(3);
+var turnY = new Float64Array(3);
+function narrow(ray) {
+  ray.fill(0, originX);
 }
 
-float light_up_to(float phase) {
-  float whole = floor(0.5 * phase);
-  return whole + clamp(phase - 2.0 * whole - 1.0, 0.0, 1.0);
+// source/bent_pixel.ts
+var coefficients = 10;
+function setCubic(to, at, value, slope) {
+  const x = slope(0, 0), y = slope(0, 1), leftX = slope(1, 0), rightX = slope(2, 0), aboveY = slope(3, 1), belowY = slope(4, 1);
+  const leftY = slope(1, 1), rightY = slope(2, 1), aboveX = slope(3, 0), belowX = slope(4, 0);
+  to[at] = value, to[at + 1] = x, to[at + 2] = y;
+  to[at + 3] = 0.5 * (rightX - leftX), to[at + 5] = 0.5 * (belowY - aboveY);
+  to[at + 4] = 0.25 * (belowX - aboveX + rightY - leftY);
+  to[at + 6] = rightX - 2 * x + leftX, to[at + 7] = rightY - 2 * y + leftY;
+  to[at + 8] = belowX - 2 * x + aboveX, to[at + 9] = belowY - 2 * y + aboveY;
 }
-float zebra(Ray ray, Surface s) {
-  Ray r = reflected(ray, s);
-  vec3 d = r.direction;
-  float level = max(length(d.xy), 1e-6), bands = 2.0 * degrees(1.0) / 10.0, phase = bands * atan(level, d.z);
-  // The slope of atan(level, z) with the direction.
-  vec3 slope = vec3(d.xy * (d.z / level), -level) / dot(d, d) * bands;
-  float reach = max(0.5 * (abs(dot(slope, r.direction_dx)) + abs(dot(slope, r.direction_dy))), 1e-5);
-  return 0.06 + 0.88 * (light_up_to(phase + reach) - light_up_to(phase - reach)) / (2.0 * reach);
+function cubicAt(c, at, x, y) {
+  const xx = 0.5 * x * x, yy = 0.5 * y * y;
+  return c[at] + c[at + 1] * x + c[at + 2] * y + c[at + 3] * xx + c[at + 4] * x * y + c[at + 5] * yy + c[at + 6] * xx * x / 3 + c[at + 7] * xx * y + c[at + 8] * x * yy + c[at + 9] * yy * y / 3;
 }
-
-vec3 signed_color(float s) {
-  vec3 stops[5] = vec3[5](vec3(0.02, 0.12, 0.55), vec3(0.25, 0.55, 0.9), vec3(0.87), vec3(0.95, 0.5, 0.25),
-                          vec3(0.6, 0.02, 0.05));
-  float at = 2.0 * (clamp(s, -1.0, 1.0) + 1.0);
-  int first = min(3, int(at));
-  return mix(stops[first], stops[first + 1], at - float(first));
+function cubicByX(c, at, x, y) {
+  return c[at + 1] + c[at + 3] * x + c[at + 4] * y + 0.5 * c[at + 6] * x * x + c[at + 7] * x * y + 0.5 * c[at + 8] * y * y;
 }
-
-vec3 srgb(vec3 c) {
-  c = clamp(c, 0.0, 1.0);
-  return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+function cubicByY(c, at, x, y) {
+  return c[at + 2] + c[at + 4] * x + c[at + 5] * y + 0.5 * c[at + 7] * x * x + c[at + 8] * x * y + 0.5 * c[at + 9] * y * y;
 }
-
-#if LOOK == 0
-vec4 pixel_color(ivec2 pixel, Surface s) {
-  vec3 light = reflections_of(pixel, camera_ray(vec2(pixel) + 0.5), s);
-  return vec4(white > 0.0 ? srgb(light / white) : light, 1);
+var corners = [[-0.5, -0.5], [0.5, -0.5], [-0.5, 0.5], [0.5, 0.5]];
+var slices = new Float64Array(4 * coefficients);
+function setSlices(row2, axis, rays, around) {
+  const along = (a, at) => a[0] * rays[at] + a[1] * rays[at + 1] + a[2] * rays[at + 2];
+  const { origin, normal } = row2, base = along;
+  [axis, normal].forEach((a, i) => {
+    const offset = a[0] * origin[0] + a[1] * origin[1] + a[2] * origin[2];
+    setCubic(slices, i * coefficients, base(a, around[0]) - offset, (ray, by) => along(a, around[ray] + 6 + 3 * by));
+    setCubic(slices, (2 + i) * coefficients, base(a, around[0] + 3), (ray, by) => along(a, around[ray] + 12 + 3 * by));
+  });
 }
-#else
-vec4 pixel_color(ivec2 pixel, Surface s) {
-  Ray ray = camera_ray(vec2(pixel) + 0.5);
-  float shade = 0.55 - 0.45 * dot(ray.direction, s.normal), mean = 0.5 * (s.shape.x + s.shape.z);
-#if LOOK == 1
-  vec3 own = vec3(zebra(ray, s));
-#else
-  vec3 own = isnan(mean) ? vec3(0.07) : signed_color(mean / full_curvature);
-#endif
-  return vec4(own * shade, 1);
+function cornerPlace(x, y) {
+  const t = -cubicAt(slices, coefficients, x, y) / cubicAt(slices, 3 * coefficients, x, y);
+  return t > 0 && Number.isFinite(t) ? cubicAt(slices, 0, x, y) + t * cubicAt(slices, 2 * coefficients, x, y) : NaN;
 }
-#endif
-
-void main() {
-  // With a stride, every stride-th pixel of the picture.
-  ivec2 pixel = ivec2(gl_FragCoord.xy) * stride;
-  pixel.y = size.y - 1 - pixel.y;
-  // Rows that are not there yet are shown by the nearest above.
-  pixel.y = pixel.y / row_step * row_step;
-  Surface s = surface_at(pixel);
-#if LOOK == 0
-  color = white > 0.0 ? vec4(srgb(background / white), 1) : vec4(background, 0);
-#else
-  color = vec4(vec3(0.07), 1);
-#endif
-  for (int todo = isinf(s.t) ? 0 : 1; todo > 0; --todo) color = pixel_color(pixel, s);
-}`;
-var numbersTo = (count) => Array.from({ length: count }, (_, i) => i);
-function rowsFunction(count) {
-  const all = numbersTo(count);
-  const covered = all.map((i) => `
-  float t${i} = meeting(planes[${i}], ray), c${i} = 0.0;
-  for (int todo = t${i} > 0.0 && t${i} <= t_max ? 1 : 0; todo > 0; --todo) c${i} = coverage(planes[${i}], ray, t${i}, is_point);`);
-  const before = (i) => all.filter((j) => j !== i).map((j) => ` * (t${j} ${j < i ? "<=" : "<"} t${i} ? 1.0 - c${j} : 1.0)`).join("");
-  const seen = all.map((i) => `
-  seen += vec4(planes[${i}].luminance, 1) * (c${i}${before(i)});`);
-  return `
-/// Light of all rows along a ray up to t_max, and their opacity.
-vec4 rows(Ray ray, float t_max, bool is_point) {
-  vec4 seen = vec4(0);${covered.join("")}${seen.join("")}
-  return seen;
-}
-`;
-}
-function bendFunction(count) {
-  const bent = numbersTo(count).map((i) => `
-  t = meeting(planes[${i}], ray);
-  for (int todo = t > 0.0 && t < nearest ? 1 : 0; todo > 0; --todo) nearest = t, bend = bend_of(planes[${i}], q, ray, t);`);
-  return `
-/// Bend of the image on the nearest plane that the ray meets.
-float nearest_bend(Cubic q, Ray ray) {
-  float nearest = 1e30, bend = 0.0, t = 0.0;${bent.join("")}
+function bendAcross(row2, rays, around, image) {
+  setSlices(row2, row2.v, rays, around);
+  let bend = 0;
+  for (const [x, y] of corners) {
+    const off = Math.abs(cornerPlace(x, y) - image.centre[1] - x * image.dx[1] - y * image.dy[1]);
+    if (!(off <= bend)) bend = off;
+    if (Number.isNaN(off)) return NaN;
+  }
   return bend;
 }
-`;
+function bendAlong(row2, rays, around, image) {
+  const { dx, dy, descent, centre } = image, span = Math.abs(dx[0]) + Math.abs(dy[0]);
+  if (!(1 - 0.5 * (Math.abs(descent[0]) + Math.abs(descent[1])) > 0)) return 1;
+  setSlices(row2, row2.u, rays, around);
+  let off = 0;
+  for (const [x, y] of corners)
+    off = Math.max(off, Math.abs(cornerPlace(x, y) - centre[0] - (x * dx[0] + y * dy[0]) / (1 + x * descent[0] + y * descent[1])));
+  return Math.min(off / span, 1);
 }
-function fragmentShader(look, isHurried, planes) {
-  const chosen = `#version 300 es
-#define LOOK ${look}
-#define PLANES ${planes}
-${isHurried ? "#define HURRIED\n" : ""}`;
-  return chosen + declarations + surfaces + lamps + rowsFunction(planes) + bends + bendFunction(planes) + pixels + looks;
+function partsOfBend(bend) {
+  const straight = 0.01, most = 8;
+  return bend > straight ? Math.min(Math.ceil(Math.sqrt(bend / straight)), most) : 1;
+}
+var CubicPixel = class {
+  constructor() {
+    this.cubics = new Float64Array(6 * coefficients);
+    this.ray = new Float32Array(rayNumbers);
+  }
+  set(rays, around) {
+    for (let k = 0; k < 6; ++k) {
+      const slopes = k < 3 ? 6 + k : 9 + k;
+      setCubic(this.cubics, k * coefficients, rays[around[0] + k], (ray, by) => rays[around[ray] + slopes + 3 * by]);
+    }
+  }
+  /** Sets `ray` to that of a part around a place, whose sides are a share of the pixel's. */
+  setPart(x, y, share2) {
+    const { cubics, ray } = this;
+    for (let k = 0; k < 6; ++k) {
+      const slopes = k < 3 ? 6 + k : 9 + k, at = k * coefficients;
+      ray[k] = cubicAt(cubics, at, x, y);
+      ray[slopes] = cubicByX(cubics, at, x, y) * share2, ray[slopes + 3] = cubicByY(cubics, at, x, y) * share2;
+    }
+  }
+};
+
+// source/clipped_pixel.ts
+var wholePixel = [-0.5, -0.5, 0.5, -0.5, 0.5, 0.5, -0.5, 0.5];
+var valueAt = (f, part, i) => f.amid + f.byX * part[i] + f.byY * part[i + 1];
+function where(part, side) {
+  const cut = [], count = part.length;
+  for (let i = 0; i < count; i += 2) {
+    const j = (i + 2) % count, from = valueAt(side, part, i), to = valueAt(side, part, j);
+    if (from >= 0) cut.push(part[i], part[i + 1]);
+    if (from >= 0 === to >= 0) continue;
+    const along = from / (from - to);
+    cut.push(part[i] + (part[j] - part[i]) * along, part[i + 1] + (part[j + 1] - part[i + 1]) * along);
+  }
+  return cut;
+}
+function isAllWhere(part, side) {
+  for (let i = 0; i < part.length; i += 2) if (!(valueAt(side, part, i) >= 0)) return false;
+  return true;
+}
+function isAnyWhere(part, side) {
+  for (let i = 0; i < part.length; i += 2) if (valueAt(side, part, i) >= 0) return true;
+  return false;
+}
+function area(part) {
+  let twice = 0;
+  for (let i = 4; i < part.length; i += 2)
+    twice += (part[i - 2] - part[0]) * (part[i + 1] - part[1]) - (part[i - 1] - part[1]) * (part[i] - part[0]);
+  return Math.abs(twice) / 2;
 }
 
+// source/footprint.ts
+function footprintOf(row2, rays, at) {
+  const along = (axis, k) => axis[0] * rays[at + k] + axis[1] * rays[at + k + 1] + axis[2] * rays[at + k + 2];
+  const { u, v, normal, origin } = row2;
+  const from = (axis) => along(axis, 0) - axis[0] * origin[0] - axis[1] * origin[1] - axis[2] * origin[2];
+  const du = along(u, 3), dv = along(v, 3), dz = along(normal, 3), t = -from(normal) / dz;
+  const step2 = (k) => {
+    const down = along(normal, k) + t * along(normal, k + 6);
+    return [along(u, k) + t * along(u, k + 6) - du / dz * down, along(v, k) + t * along(v, k + 6) - dv / dz * down];
+  };
+  return {
+    t,
+    centre: [from(u) + t * du, from(v) + t * dv],
+    direction: [du, dv, dz],
+    dx: step2(6),
+    dy: step2(9),
+    descent: [along(normal, 12) / dz, along(normal, 15) / dz]
+  };
+}
+var dot2 = (a, b) => a[0] * b[0] + a[1] * b[1];
+var cross2 = (a, b) => a[0] * b[1] - a[1] * b[0];
+function beforeHorizon({ descent }) {
+  const denominator = { amid: 1, byX: descent[0], byY: descent[1] };
+  return isAllWhere(wholePixel, denominator) ? wholePixel : where(wholePixel, denominator);
+}
+function past({ centre, dx, dy, descent }, slope, from, least) {
+  const off = dot2(slope, [centre[0] - from[0], centre[1] - from[1]]) - least;
+  return { amid: off, byX: dot2(slope, dx) + off * descent[0], byY: dot2(slope, dy) + off * descent[1] };
+}
+function between(image, part, low, high2) {
+  return where(where(part, past(image, [0, 1], [0, low], 0)), past(image, [0, -1], [0, high2], 0));
+}
+function acrossCorners({ centre, dx, dy, descent }, part) {
+  const rounding = 1e-12 * (1 + Math.abs(descent[0]) + Math.abs(descent[1])), values = [];
+  for (let i = 0; i < part.length; i += 2) {
+    const before = 1 + descent[0] * part[i] + descent[1] * part[i + 1];
+    values.push(before > rounding ? centre[1] + (dx[1] * part[i] + dy[1] * part[i + 1]) / before : NaN);
+  }
+  return values;
+}
+function leastArea({ dx, dy, descent }) {
+  const most = 1 + (Math.abs(descent[0]) + Math.abs(descent[1])) / 2;
+  return Math.abs(cross2(dx, dy)) / most ** 3;
+}
+
+// source/tube_end.ts
+var straightEnds = (row2) => ({ begin: { at: 0, shear: 0, bulge: 0 }, end: { at: row2.length, shear: 0, bulge: 0 } });
+function tubeEnds(row2, [du, dv, dz]) {
+  const bulge = 0.5 * row2.diameter * du / Math.hypot(dv, dz), shear = bulge * dv / Math.abs(dz);
+  const [first, last] = row2.hasLuminousCaps ? [-Math.abs(bulge), Math.abs(bulge)] : [bulge, bulge];
+  return { begin: { at: 0, shear, bulge: first }, end: { at: row2.length, shear, bulge: last } };
+}
+var TubeEndClipper = class {
+  constructor(half, image) {
+    this.half = half;
+    this.image = image;
+  }
+  /** Area of a part on the strip around an axis, on one side of an end. */
+  area(part, axis, end, side) {
+    const isConvex = side === "before" ? end.bulge >= 0 : end.bulge <= 0;
+    if (isConvex) return area(this.cut(part, axis, end, side));
+    const other = side === "before" ? "past" : "before";
+    return Math.max(area(part) - area(this.cut(part, axis, end, other)), 0);
+  }
+  /** The part on one side of an end, that from which the curve bulges away. */
+  cut(part, axis, end, side) {
+    const { image, half } = this, sign = side === "before" ? 1 : -1, bulge = Math.abs(end.bulge);
+    const from = [end.at, axis], inwards = [-sign, sign * end.shear / half];
+    const chord = past(image, inwards, from, 0);
+    if (isAllWhere(part, chord)) return part;
+    if (bulge === 0) return where(part, chord);
+    const tangent = past(image, inwards, from, -bulge);
+    if (!isAnyWhere(part, tangent)) return where(part, tangent);
+    const [begin, last] = this.arcOn(part, axis);
+    const { halvings, halfChord } = this.halvingsOf(Math.hypot(last[0] - begin[0], last[1] - begin[1]) / 2, bulge);
+    const level = meanLevel(halfChord);
+    return cutAlong(part, begin, last, halvings, (piece, n) => where(piece, past(image, [inwards[0] * n[0], inwards[1] * n[0] - n[1] * bulge / half], from, -level * bulge)));
+  }
+  /** Begin and end of the arc on which a part lies, of the unit circle that a rim is across a strip. */
+  arcOn(part, axis) {
+    const steep = 0.99;
+    let low = 1, high2 = -1;
+    for (const v of acrossCorners(this.image, part)) {
+      const q = (v - axis) / this.half;
+      low = Number.isFinite(q) ? Math.min(low, q) : -1;
+      high2 = Number.isFinite(q) ? Math.max(high2, q) : 1;
+    }
+    low = low < -steep ? -1 : Math.min(low, steep);
+    high2 = high2 > steep ? 1 : Math.max(high2, low, -steep);
+    return [[Math.sqrt(1 - low * low), low], [Math.sqrt(1 - high2 * high2), high2]];
+  }
+  /** Halvings of an arc until its chords are near enough, and half the length of these. */
+  halvingsOf(halfChord, bulge) {
+    const most = 4, scale = 8 * 0.02 * this.half * bulge, enough = 1e-3 * leastArea(this.image);
+    let halvings = 0;
+    for (; halvings < most && scale * halfChord ** 3 > enough; ++halvings)
+      halfChord = Math.sqrt((1 - Math.sqrt(1 - halfChord * halfChord)) / 2);
+    return { halvings, halfChord };
+  }
+};
+function meanLevel(halfChord) {
+  return halfChord > 1e-6 ? (Math.sqrt(1 - halfChord * halfChord) + Math.asin(halfChord) / halfChord) / 2 : 1;
+}
+function cutAlong(part, from, to, halvings, clip) {
+  const chord = [to[0] - from[0], to[1] - from[1]], length2 = Math.hypot(...chord);
+  const normal = length2 > 1e-6 ? [chord[1] / length2, -chord[0] / length2] : from;
+  if (halvings === 0) return clip(part, normal);
+  return cutAlong(cutAlong(part, from, normal, halvings - 1, clip), normal, to, halvings - 1, clip);
+}
+
+// source/end_coverage.ts
+var clamp = (x, low, high2) => Math.min(Math.max(x, low), high2);
+function endCoverage(row2, rays, at) {
+  if (row2.lamps === 0) return 0;
+  const image = footprintOf(row2, rays, at);
+  const isPoint = image.dx.concat(image.dy).every((x) => x === 0);
+  if (isPoint) image.dx = [1e-6, 0], image.dy = [0, 1e-6];
+  const direction2 = row2.isRound ? directionTo(image, wayToRow(row2, image)) : image.direction;
+  const ends = row2.isRound ? endsOfTubes(row2, image, direction2) : straightEnds(row2);
+  const strips = new RowInPixel(row2, row2.isRound ? apparentDiameter(row2, direction2) : row2.diameter, ends, image);
+  const isResolved = Math.max(Math.abs(image.dx[1]), Math.abs(image.dy[1])) <= 4 * row2.pitch;
+  return strips.coverage(isResolved);
+}
+var apparentDiameter = (row2, [, dv, dz]) => row2.diameter * Math.hypot(dv, dz) / Math.abs(dz);
+function wayToRow(row2, { centre: [u, v] }) {
+  return [clamp(u, 0, row2.length) - u, clamp(v, row2.first, row2.last) - v];
+}
+function directionTo({ direction: direction2, dx, dy, descent }, way) {
+  if (way[0] === 0 && way[1] === 0) return direction2;
+  const x = [dx[0] - way[0] * descent[0], dx[1] - way[1] * descent[0]];
+  const y = [dy[0] - way[0] * descent[1], dy[1] - way[1] * descent[1]];
+  const down = cross2(dx, dy) / cross2(x, y), off = (Math.abs(descent[0]) + Math.abs(descent[1])) / 2;
+  return [direction2[0], direction2[1], direction2[2] * (down > 0 ? clamp(down, 1 - off, 1 + off) : 1 + off)];
+}
+function endsOfTubes(row2, image, direction2) {
+  const guess = tubeEnds(row2, direction2), [u, v] = image.centre;
+  const axis = row2.first + clamp(Math.round((v - row2.first) / row2.pitch), 0, row2.lamps - 1) * row2.pitch;
+  const q = clamp((v - axis) / (apparentDiameter(row2, direction2) / 2), -1, 1), across = wayToRow(row2, image)[1];
+  const seen = (end) => tubeEnds(row2, directionTo(image, [end.at + end.shear * q + end.bulge * Math.sqrt(1 - q * q) - u, across]));
+  return { begin: seen(guess.begin).begin, end: seen(guess.end).end };
+}
+var RowInPixel = class {
+  constructor(row2, width, ends, image) {
+    this.row = row2;
+    this.ends = ends;
+    this.image = image;
+    this.half = width / 2;
+    this.clipper = new TubeEndClipper(this.half, image);
+    this.pixel = beforeHorizon(image);
+    this.beginsWithCap = ends.begin.bulge > 0;
+  }
+  coverage(isResolved) {
+    const isApart = 2 * this.half < this.row.pitch;
+    if (isApart && !isResolved) return this.greyBand();
+    const [low, high2] = this.lamps();
+    let sum2 = 0;
+    for (let lamp = low; lamp <= high2; ++lamp) {
+      const axis = this.row.first + lamp * this.row.pitch;
+      const part = this.cutConvex(between(this.image, this.pixel, axis - this.half, axis + this.half), axis);
+      sum2 += this.seenOf(part, axis) - (isApart ? 0 : this.hiddenOf(part, axis));
+    }
+    return clamp(sum2, 0, 1);
+  }
+  /** Numbers of the first and the last lamp in the pixel. */
+  lamps() {
+    const { row: row2, half } = this;
+    let low = row2.last, high2 = row2.first;
+    for (const v of acrossCorners(this.image, this.pixel)) {
+      low = Number.isFinite(v) ? Math.min(low, v) : row2.first;
+      high2 = Number.isFinite(v) ? Math.max(high2, v) : row2.last;
+    }
+    return [
+      Math.max(Math.ceil((low - half - row2.first) / row2.pitch), 0),
+      Math.min(Math.floor((high2 + half - row2.first) / row2.pitch), row2.lamps - 1)
+    ];
+  }
+  /** Coverage of strips too fine to be distinguished, as the mean over their possible positions. */
+  greyBand() {
+    const { row: row2, image, ends } = this, count = ends.begin.shear === 0 ? 1 : 8, beyond = row2.pitch / 2;
+    let sum2 = 0;
+    for (let i = 0; i < count; ++i) {
+      const q = (i + 0.5) * 2 / count - 1, at = (end) => end.at + end.shear * q + Math.PI / 4 * end.bulge;
+      const band = between(image, this.pixel, row2.first - beyond, row2.last + beyond);
+      const straight = (edge) => ({ at: edge, shear: 0, bulge: 0 });
+      sum2 += this.clipper.area(this.clipper.cut(band, 0, straight(at(ends.begin)), "past"), 0, straight(at(ends.end)), "before");
+    }
+    return 2 * this.half / row2.pitch * sum2 / count;
+  }
+  /** The part of a strip on the lamp's side of its end without a dark cap, or of its begin: it is convex. */
+  cutConvex(strip, axis) {
+    return this.beginsWithCap ? this.clipper.cut(strip, axis, this.ends.end, "before") : this.clipper.cut(strip, axis, this.ends.begin, "past");
+  }
+  /** The area of such a part that is on the lamp's side of its other end too. */
+  seenOf(part, axis) {
+    return this.beginsWithCap ? this.clipper.area(part, axis, this.ends.begin, "past") : this.clipper.area(part, axis, this.ends.end, "before");
+  }
+  /** The area of such a part behind the neighbour that rays meet before the lamp. */
+  hiddenOf(part, axis) {
+    const { row: row2, half, ends, clipper } = this, fromBegin = this.beginsWithCap;
+    const before = fromBegin === ends.begin.shear > 0 ? axis - row2.pitch : axis + row2.pitch;
+    if (before < row2.first - row2.pitch / 2 || before > row2.last + row2.pitch / 2) return 0;
+    const both = between(this.image, part, before - half, before + half);
+    const hidden = fromBegin ? clipper.cut(both, before, { ...ends.begin, bulge: -Math.abs(ends.begin.bulge) }, "past") : clipper.cut(both, before, { ...ends.end, bulge: Math.abs(ends.end.bulge) }, "before");
+    return this.seenOf(hidden, axis);
+  }
+};
+
+// source/path_set.ts
+var PathSet = class {
+  constructor() {
+    this.count = 0;
+    this.list = new Uint32Array(1);
+    this.members = new Uint8Array(1);
+  }
+  /** Makes room for so many paths. */
+  reserve(paths) {
+    if (this.list.length >= paths) return;
+    const list2 = new Uint32Array(2 * paths), members = new Uint8Array(2 * paths);
+    list2.set(this.list), members.set(this.members);
+    this.list = list2, this.members = members;
+  }
+  add(path) {
+    if (this.members[path] === 1) return;
+    this.members[path] = 1;
+    this.list[this.count++] = path;
+  }
+  clear() {
+    for (let i = 0; i < this.count; ++i) this.members[this.list[i]] = 0;
+    this.count = 0;
+  }
+};
+
+// source/ray_list.ts
+function grown(array, needed) {
+  if (array.length >= needed) return array;
+  const larger = new array.constructor(Math.max(needed, 2 * array.length));
+  larger.set(array);
+  return larger;
+}
+var RayList = class {
+  constructor() {
+    this.count = 0;
+    this.numbers = new Float32Array(rayNumbers);
+    this.ways = new Float32Array(1);
+    this.weights = new Float32Array(3);
+  }
+  /** Makes room for so many rays. */
+  reserve(count) {
+    this.numbers = grown(this.numbers, count * rayNumbers);
+    this.ways = grown(this.ways, count);
+    this.weights = grown(this.weights, 3 * count);
+  }
+  /** Adds a ray; `weight` is what the reflections so far leave of its light, red, green and blue. */
+  add(ray, way, weight) {
+    const i = this.count++;
+    if (this.ways.length <= i) this.reserve(2 * i + 1);
+    const { numbers, weights } = this;
+    for (let k = 0; k < rayNumbers; ++k) numbers[i * rayNumbers + k] = ray[k];
+    for (let k = 0; k < 3; ++k) weights[3 * i + k] = weight[k];
+    this.ways[i] = way;
+  }
+};
+
+// source/stripe_coverage.ts
+var leastWidth = 1e-6;
+function below(wide2, narrow2, x) {
+  const away = Math.abs(x), reach2 = 0.5 * (wide2 + narrow2);
+  if (away >= reach2) return x < 0 ? -0.5 : 0.5;
+  const rest2 = reach2 - away;
+  const inside = away <= reach2 - narrow2 ? away / wide2 : 0.5 - 0.5 * rest2 * rest2 / (wide2 * narrow2);
+  return x < 0 ? -inside : inside;
+}
+function share(wide2, narrow2, begin, end) {
+  const w = Math.max(wide2, leastWidth), n = Math.max(narrow2, leastWidth);
+  return Math.max(below(w, n, end) - below(w, n, begin), 0);
+}
+function stripeCoverage(row2, width, v, wide2, narrow2) {
+  const { pitch, lamps, first, last } = row2;
+  if (lamps === 0) return 0;
+  if (wide2 > 4 * pitch) {
+    const beyond = 0.5 * Math.max(pitch, width);
+    return Math.min(width / pitch, 1) * share(wide2, narrow2, first - beyond - v, last + beyond - v);
+  }
+  const half = 0.5 * width;
+  if (!(width < pitch)) return share(wide2, narrow2, first - half - v, last + half - v);
+  const spread = 0.5 * (wide2 + narrow2), reach2 = spread + half, away = v - first;
+  const off = Math.abs(away - pitch * Math.min(Math.max(Math.round(away / pitch), 0), lamps - 1));
+  if (off >= reach2) return 0;
+  if (off + spread <= half) return 1;
+  const end = Math.min(Math.floor((away + reach2) / pitch), lamps - 1);
+  let sum2 = 0;
+  for (let lamp = Math.max(Math.ceil((away - reach2) / pitch), 0); lamp <= end; ++lamp) {
+    const at = lamp * pitch - away;
+    sum2 += share(wide2, narrow2, at - half, at + half);
+  }
+  return sum2;
+}
+
+// source/row_image.ts
+var imageNumbers = 9;
+function project(row2, rays, at, image, to) {
+  const { u, v, normal: n, origin } = row2;
+  const dz = n[0] * rays[at + 3] + n[1] * rays[at + 4] + n[2] * rays[at + 5];
+  const ox = rays[at] - origin[0], oy = rays[at + 1] - origin[1], oz = rays[at + 2] - origin[2];
+  const t = -(n[0] * ox + n[1] * oy + n[2] * oz) / dz;
+  if (!(Math.abs(dz) > 1e-12 && t > 0)) {
+    image[to] = 0;
+    return;
+  }
+  const du = u[0] * rays[at + 3] + u[1] * rays[at + 4] + u[2] * rays[at + 5];
+  const dv = v[0] * rays[at + 3] + v[1] * rays[at + 4] + v[2] * rays[at + 5];
+  const ou = u[0] * ox + u[1] * oy + u[2] * oz, ov = v[0] * ox + v[1] * oy + v[2] * oz;
+  const slopeU = du / dz, slopeV = dv / dz;
+  const xx = rays[at + 6] + rays[at + 12] * t, xy = rays[at + 7] + rays[at + 13] * t, xz = rays[at + 8] + rays[at + 14] * t;
+  const yx = rays[at + 9] + rays[at + 15] * t, yy = rays[at + 10] + rays[at + 16] * t, yz = rays[at + 11] + rays[at + 17] * t;
+  const xn = n[0] * xx + n[1] * xy + n[2] * xz, yn = n[0] * yx + n[1] * yy + n[2] * yz;
+  const xAlong = Math.abs(u[0] * xx + u[1] * xy + u[2] * xz - slopeU * xn);
+  const yAlong = Math.abs(u[0] * yx + u[1] * yy + u[2] * yz - slopeU * yn);
+  const xAcross = Math.abs(v[0] * xx + v[1] * xy + v[2] * xz - slopeV * xn);
+  const yAcross = Math.abs(v[0] * yx + v[1] * yy + v[2] * yz - slopeV * yn);
+  const descentX = (n[0] * rays[at + 12] + n[1] * rays[at + 13] + n[2] * rays[at + 14]) / dz;
+  const descentY = (n[0] * rays[at + 15] + n[1] * rays[at + 16] + n[2] * rays[at + 17]) / dz;
+  const least = 1 - 0.5 * (Math.abs(descentX) + Math.abs(descentY));
+  image[to] = t, image[to + 1] = ou + t * du, image[to + 2] = ov + t * dv;
+  image[to + 3] = row2.isRound ? Math.sqrt(dv * dv + dz * dz) / Math.abs(dz) : 1;
+  image[to + 4] = 0.5 * (xAlong + yAlong);
+  image[to + 5] = Math.max(xAcross, yAcross), image[to + 6] = Math.min(xAcross, yAcross);
+  image[to + 7] = row2.isRound ? Math.abs(slopeU) : 0, image[to + 8] = least;
+}
+function coverage(row2, image, from, du, dv) {
+  const u = image[from + 1] - du, v = image[from + 2] - dv, width = row2.diameter * image[from + 3];
+  const reach2 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  if (u + reach2 <= -room || u - reach2 >= row2.length + room) return 0;
+  const strips = stripeCoverage(row2, width, v, image[from + 5], image[from + 6]);
+  if (u - reach2 >= 0 && u + reach2 <= row2.length || !(reach2 > 0 && reach2 < Infinity)) return strips;
+  return strips * Math.max(Math.min(u + reach2, row2.length) - Math.max(u - reach2, 0), 0) / (2 * reach2);
+}
+function isAtEnd(row2, image, from, du, dv) {
+  const u = image[from + 1] - du, v = image[from + 2] - dv;
+  const reach2 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  if (u + reach2 <= -room || u - reach2 >= row2.length + room) return false;
+  if (u - reach2 >= room && u + reach2 <= row2.length - room) return false;
+  return !isInGap(row2, image, from, v, row2.diameter * image[from + 3]);
+}
+function widened(image, from, length2) {
+  return image[from + 8] > 0 ? length2 / image[from + 8] : length2 > 0 ? Infinity : 0;
+}
+function isInGap(row2, image, from, v, width) {
+  const least = image[from + 8], reach2 = 0.5 * (image[from + 5] + image[from + 6]);
+  const lamp = Math.min(Math.max(Math.round((v - row2.first) / row2.pitch), 0), row2.lamps - 1);
+  const isAway = least > 0 && least * Math.abs(v - row2.first - lamp * row2.pitch) > 0.5 * width + reach2;
+  return isAway && (v < row2.first || v > row2.last || reach2 < 0.5 * least * row2.pitch);
+}
+function mayHoldEnd(row2, image, from, du) {
+  const u = image[from + 1] - du, reach2 = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row2.diameter);
+  return Math.abs(u) < reach2 || Math.abs(row2.length - u) < reach2;
+}
+function mayHoldEdge(row2, image, from, [du, dv], off) {
+  if (!(image[from] > 0)) return false;
+  const u = image[from + 1] - du, along = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row2.diameter) + off;
+  if (u + along <= 0 || u - along >= row2.length) return false;
+  const away = image[from + 2] - dv - row2.first, half = 0.5 * row2.diameter * image[from + 3];
+  const lamp = Math.min(Math.max(Math.round(away / row2.pitch), 0), row2.lamps - 1), axis = Math.abs(away - lamp * row2.pitch);
+  const spread = widened(image, from, 0.5 * (image[from + 5] + image[from + 6])) + off;
+  const isBeside = axis - spread >= half && (away < 0 || away > row2.last - row2.first || axis + spread <= row2.pitch - half);
+  if (isBeside) return false;
+  return u < along || row2.length - u < along || axis + spread > half;
+}
+
+// source/row_coverage.ts
+var RowCoverage = class {
+  /** `pathOf`: paths by ray; null: a ray's number is that of its path. */
+  constructor(rays, pathOf, row2) {
+    this.rays = rays;
+    this.pathOf = pathOf;
+    this.row = row2;
+    this.images = new Float32Array(imageNumbers);
+    this.covered = new Float32Array(1);
+    // 0 to 1, by ray
+    this.met = new Uint32Array(1);
+    // the rays that meet the plane before another surface
+    this.metCount = 0;
+    this.projected = 0;
+    this.isCurrent = false;
+    // on whose plane the images are
+    this.du = 0;
+    this.dv = 0;
+    this.base = row2;
+  }
+  /** Takes the row as it is now. One that moved in its plane, or has other lamps, needs no new images. */
+  set(row2) {
+    if (!row2.hasPlaneOf(this.base) || row2.isRound !== this.base.isRound) this.base = row2, this.projected = this.metCount = 0;
+    this.row = row2;
+    this.isCurrent = false;
+    const step2 = difference(row2.origin, this.base.origin);
+    this.du = dot(row2.u, step2), this.dv = dot(row2.v, step2);
+  }
+  /** Offset of the row along its lamps and across them since the images were made, mm. */
+  get moved() {
+    return [this.du, this.dv];
+  }
+  /** Brings `images` and `covered` up to date; adds the paths that the row covers otherwise than before. */
+  update(changed) {
+    if (this.isCurrent && this.projected === this.rays.count) return;
+    this.images = grown(this.images, imageNumbers * this.rays.count);
+    this.covered = grown(this.covered, this.rays.count);
+    this.met = grown(this.met, this.rays.count);
+    const pathOf = this.pathOf?.() ?? null;
+    this.projectAll(changed, pathOf);
+    this.coverAll(changed, pathOf);
+    this.isCurrent = true;
+  }
+  projectAll(changed, pathOf) {
+    const { rays: { numbers, ways: ways2, count }, row: row2, images, covered, met } = this;
+    for (let i = this.projected; i < count; ++i) {
+      project(row2, numbers, rayNumbers * i, images, imageNumbers * i);
+      const t = images[imageNumbers * i];
+      if (t > 0 && t <= ways2[i]) met[this.metCount++] = i;
+      else if (covered[i] > 0) covered[i] = 0, changed.add(pathOf ? pathOf[i] : i);
+    }
+    this.projected = count;
+  }
+  coverAll(changed, pathOf) {
+    const { row: row2, images, covered, met, metCount, du, dv } = this;
+    for (let k = 0; k < metCount; ++k) {
+      const i = met[k], c = Math.fround(coverage(row2, images, imageNumbers * i, du, dv));
+      if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
+    }
+  }
+  /** Makes `covered` exact at the ends of lamps. */
+  finish(changed) {
+    const { rays: { numbers }, row: row2, images, covered, met, metCount, du, dv } = this, pathOf = this.pathOf?.() ?? null;
+    for (let k = 0; k < metCount; ++k) {
+      const i = met[k];
+      if (!isAtEnd(row2, images, imageNumbers * i, du, dv)) continue;
+      const c = Math.fround(endCoverage(row2, numbers, rayNumbers * i));
+      if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
+    }
+  }
+};
+
+// source/row_frame.ts
+var RowFrame = class {
+  constructor(plane) {
+    this.u = unit(plane.u);
+    const across = difference(plane.v, scaled(this.u, dot(this.u, plane.v)));
+    this.v = unit(across);
+    this.normal = cross(this.u, this.v);
+    this.origin = plane.origin;
+    this.length = length(plane.u);
+    this.first = (length(across) - (plane.lamps - 1) * plane.pitch) / 2;
+    this.last = this.first + (plane.lamps - 1) * plane.pitch;
+    this.pitch = plane.pitch, this.lamps = plane.lamps, this.diameter = plane.diameter;
+    this.isRound = plane.mirror !== "flat";
+    this.hasLuminousCaps = plane.caps === "luminous";
+    this.luminance = plane.luminance;
+  }
+  /** True if images of rays on the other's plane are those on this one but for an offset. */
+  hasPlaneOf(other) {
+    const rounding = 1e-12, height = dot(this.normal, difference(this.origin, other.origin));
+    return length(difference(this.u, other.u)) < rounding && length(difference(this.v, other.v)) < rounding && Math.abs(height) < rounding * (1 + length(this.origin));
+  }
+};
+
+// source/lamp_light.ts
+var LampLight = class {
+  constructor(facts2) {
+    this.facts = facts2;
+    this.luminance = new Float32Array(3);
+    // cd/m2 by path: red, green, blue
+    this.changed = new PathSet();
+    // whose light the last update changed
+    this.divided = new PathSet();
+    // whose light is a mean over parts
+    this.done = 0;
+    // paths that have light
+    this.refined = 0;
+    // paths that have been looked at by refine()
+    this.hasEnds = false;
+    // of lamps, exactly
+    this.buffer = null;
+    this.planes = [];
+    this.rows = [];
+    this.seen = new Float64Array(4);
+    // light, and the opacity of what it comes from
+    this.cubic = new CubicPixel();
+    this.image = new Float32Array(imageNumbers);
+    this.partCoverage = new Float64Array(64);
+    this.distances = new Float64Array(64);
+    this.order = new Int32Array(64);
+    this.ambient = facts2.rig.ambient.map((e) => e / Math.PI);
+  }
+  /** Takes a buffer and the rows that are lit in it. */
+  set(buffer, planes) {
+    const isNew = buffer !== this.buffer;
+    if (!isNew && planes === this.planes) return;
+    if (isNew || planes.length !== this.rows.length) this.done = 0;
+    if (isNew) this.changed.clear(), this.divided.clear();
+    this.buffer = buffer;
+    this.refined = 0, this.hasEnds = false;
+    this.rows = planes.slice(0, this.order.length).map((plane, i) => {
+      const frame = new RowFrame(plane), known = isNew ? void 0 : this.rows[i];
+      if (!known) return this.litRow(frame);
+      if (plane === this.planes[i]) return known;
+      if (!frame.hasPlaneOf(known.frame)) known.bends.fill(-1);
+      known.first.set(frame), known.later.set(frame);
+      return { ...known, frame };
+    });
+    this.planes = planes;
+    this.rows.forEach((row2) => {
+      row2.level = this.rows.findIndex((other) => isInOnePlane(other.frame, row2.frame));
+    });
+  }
+  litRow(frame) {
+    const buffer = this.buffer;
+    return {
+      frame,
+      first: new RowCoverage(buffer.first, null, frame),
+      later: new RowCoverage(buffer.later, () => buffer.pathOfLater, frame),
+      bends: new Float32Array(0),
+      level: 0
+    };
+  }
+  /** Brings the light of all paths up to date, without dividing pixels; `changed` has those whose light is another. */
+  update() {
+    const buffer = this.buffer, { changed, divided } = this;
+    changed.clear();
+    changed.reserve(buffer.paths), divided.reserve(buffer.paths);
+    this.luminance = grown(this.luminance, 3 * buffer.paths);
+    for (const row2 of this.rows) row2.first.update(changed), row2.later.update(changed);
+    for (let i = 0; this.refined === 0 && i < divided.count; ++i) changed.add(divided.list[i]);
+    if (this.refined === 0) divided.clear();
+    for (let path = this.done; path < buffer.paths; ++path) changed.add(path);
+    this.done = buffer.paths;
+    for (let i = 0; i < changed.count; ++i) this.light(changed.list[i], false);
+  }
+  /** Makes the ends of lamps exact and divides pixels whose image is bent, for some milliseconds; false if there are more. */
+  refine(milliseconds) {
+    const buffer = this.buffer, { changed } = this, end = performance.now() + milliseconds, often = 256;
+    changed.clear();
+    if (!this.hasEnds) {
+      this.hasEnds = true;
+      for (const row2 of this.rows) row2.first.finish(changed), row2.later.finish(changed);
+      for (let i = 0; i < changed.count; ++i) this.light(changed.list[i], false);
+    }
+    for (; this.refined < buffer.paths; ++this.refined) {
+      if (this.refined % often === 0 && performance.now() > end) return false;
+      this.light(this.refined, true);
+    }
+    return true;
+  }
+  light(path, isFine) {
+    const { first, later, laterCounts, laterFirst } = this.buffer, { luminance, seen } = this, at = 3 * path;
+    if (isFine) {
+      if (!this.lookDivided(path)) return;
+      this.divided.add(path), this.changed.add(path);
+    } else this.look(false, path);
+    let passed = 1 - seen[3], weights = first.weights, from = at, way = first.ways[path];
+    for (let k = 0; k < 3; ++k) luminance[at + k] = weights[from + k] * seen[k];
+    const end = laterFirst[path] + laterCounts[path];
+    for (let i = laterFirst[path]; i < end; ++i) {
+      weights = later.weights, from = 3 * i, way = later.ways[i];
+      this.look(true, i);
+      for (let k = 0; k < 3; ++k) luminance[at + k] += passed * weights[from + k] * seen[k];
+      passed *= 1 - seen[3];
+      if (passed * Math.max(weights[from], weights[from + 1], weights[from + 2]) < this.facts.min_weight) break;
+    }
+    if (way === Infinity) for (let k = 0; k < 3; ++k) luminance[at + k] += passed * weights[from + k] * this.ambient[k];
+  }
+  /** Sets `seen` to the light along a ray, from what its rows cover of it. */
+  look(isLater, ray) {
+    const { rows, seen, order, partCoverage, distances } = this;
+    let count = 0;
+    seen[0] = seen[1] = seen[2] = seen[3] = 0;
+    for (let i = 0; i < rows.length; ++i) {
+      const covered = (isLater ? rows[i].later : rows[i].first).covered[ray];
+      if (covered > 0) order[count++] = i, partCoverage[i] = covered;
+    }
+    if (count === 0) return;
+    if (count > 1)
+      for (let h = 0; h < count; ++h) {
+        const level = rows[rows[order[h]].level];
+        distances[order[h]] = (isLater ? level.later : level.first).images[imageNumbers * ray];
+      }
+    this.addUp(count, 1);
+  }
+  /** Adds to `seen` the light of `order`'s rows, the nearest first, of which each dims those behind it. */
+  addUp(count, share2) {
+    const { rows, seen, order, partCoverage, distances } = this;
+    for (let h = 1; h < count; ++h)
+      for (let g = h; g > 0 && distances[order[g]] < distances[order[g - 1]]; --g) {
+        const nearer = order[g];
+        order[g] = order[g - 1], order[g - 1] = nearer;
+      }
+    let passed = share2;
+    for (let h = 0; h < count; ++h) {
+      const covered = passed * partCoverage[order[h]], { luminance } = rows[order[h]].frame;
+      for (let k = 0; k < 3; ++k) seen[k] += luminance[k] * covered;
+      seen[3] += covered, passed -= covered;
+    }
+  }
+  /** The same for a first reflection, as the mean over the parts of a pixel; false if it needs none. */
+  lookDivided(path) {
+    const buffer = this.buffer;
+    if (!buffer.isAmid(path)) return false;
+    const nearest = this.nearestRow(path);
+    if (nearest < 0) return false;
+    const around = this.around(path), parts = partsOfBend(this.bendOf(this.rows[nearest], path, around));
+    if (parts === 1 || !this.isAtEdge(path, this.rows[nearest])) return false;
+    this.cubic.set(buffer.first.numbers, around);
+    this.seen.fill(0);
+    for (let y = 0.5; y < parts; ++y)
+      for (let x = 0.5; x < parts; ++x) {
+        this.cubic.setPart(x / parts - 0.5, y / parts - 0.5, 1 / parts);
+        this.addPart(buffer.first.ways[path], 1 / (parts * parts));
+      }
+    return true;
+  }
+  addPart(way, share2) {
+    const { rows, image, order, partCoverage, distances, cubic } = this;
+    let count = 0;
+    for (let i = 0; i < rows.length; ++i) {
+      const { frame } = rows[i];
+      project(frame, cubic.ray, 0, image, 0);
+      const t = distances[i] = image[0];
+      if (rows[i].level < i) distances[i] = distances[rows[i].level];
+      const covered = !(t > 0 && t <= way) ? 0 : isAtEnd(frame, image, 0, 0, 0) ? endCoverage(frame, cubic.ray, 0) : coverage(frame, image, 0, 0, 0);
+      if (covered > 0) order[count++] = i, partCoverage[i] = covered;
+    }
+    this.addUp(count, share2);
+  }
+  /** True if a part of a bent pixel may be covered otherwise than its linear image on the nearest plane. */
+  isAtEdge(path, nearest) {
+    const off = 2 * nearest.bends[path];
+    return this.rows.some(({ frame, first }) => mayHoldEdge(frame, first.images, imageNumbers * path, first.moved, off));
+  }
+  /** The row whose plane a path's first reflection meets first; -1: none. */
+  nearestRow(path) {
+    let nearest = -1, least = Infinity;
+    for (let i = 0; i < this.rows.length; ++i) {
+      const t = this.rows[i].first.images[imageNumbers * path];
+      if (t > 0 && t < least) least = t, nearest = i;
+    }
+    return nearest;
+  }
+  around(path) {
+    const { pathOf, pixels, camera: { width } } = this.buffer, pixel = pixels[path];
+    return [path, pathOf[pixel - 1], pathOf[pixel + 1], pathOf[pixel - width], pathOf[pixel + width]].map((p) => p * rayNumbers);
+  }
+  /** Bend of a pixel's image on a row's plane: in pitches across the lamps, at their ends also as a share of its span. */
+  bendOf(row2, path, around) {
+    const buffer = this.buffer, { numbers } = buffer.first, { frame } = row2;
+    if (row2.bends.length < buffer.paths) row2.bends = new Float32Array(buffer.paths).fill(-1);
+    if (row2.bends[path] === -1)
+      row2.bends[path] = bendAcross(frame, numbers, around, footprintOf(frame, numbers, rayNumbers * path));
+    const across = row2.bends[path] / frame.pitch;
+    if (!mayHoldEnd(frame, row2.first.images, imageNumbers * path, row2.first.moved[0])) return across;
+    return Math.max(across, bendAlong(frame, numbers, around, footprintOf(frame, numbers, rayNumbers * path)));
+  }
+};
+function isInOnePlane(a, b) {
+  const off = a.normal[0] * (b.origin[0] - a.origin[0]) + a.normal[1] * (b.origin[1] - a.origin[1]) + a.normal[2] * (b.origin[2] - a.origin[2]);
+  const turn = Math.hypot(
+    a.normal[1] * b.normal[2] - a.normal[2] * b.normal[1],
+    a.normal[2] * b.normal[0] - a.normal[0] * b.normal[2],
+    a.normal[0] * b.normal[1] - a.normal[1] * b.normal[0]
+  );
+  return turn <= 1e-13 && Math.abs(off) <= 1e-14 * (Math.hypot(...a.origin) + Math.hypot(...b.origin) + a.length + b.length);
+}
+
+// source/look_colors.ts
+var surfaceLooks = ["zebra", "isophotes", "highlight lines", "curvature", "draft", "faces"];
+var degrees = 180 / Math.PI;
+var draftLimit = 3;
+var draftRange = 15;
+var unknown = [0.07, 0.07, 0.07];
+var ground = [0.5, 0.5, 0.5];
+function lookColors(look, buffer, scale) {
+  const color = colorOf(look, buffer, scale), colors = new Float32Array(3 * buffer.paths);
+  const facing = facingOf(buffer);
+  for (let path = 0; path < buffer.paths; ++path) {
+    const own = color(path), shade = 0.55 + 0.45 * facing(path);
+    for (let k = 0; k < 3; ++k) colors[3 * path + k] = own[k] * shade;
+  }
+  return colors;
+}
+function colorOf(look, buffer, scale) {
+  switch (look) {
+    case "zebra":
+      return bands(buffer, zebraPhase(buffer));
+    case "isophotes":
+      return bands(buffer, (path) => 2 * angleToVertical(normalOf(buffer, path)) / 5);
+    case "highlight lines":
+      return bands(buffer, highlightPhase(buffer, scale.planes.map((plane) => new RowFrame(plane))));
+    case "curvature":
+      return (path) => curvatureColor(buffer.surfaceOf(path).mean / scale.fullCurvature);
+    case "draft":
+      return draftColor(buffer);
+    case "faces":
+      return (path) => faceColor(faceOf(buffer, path));
+  }
+}
+var normalOf = ({ normals }, path) => [normals[3 * path], normals[3 * path + 1], normals[3 * path + 2]];
+var faceOf = ({ samples, pixels }, path) => samples[8 * pixels[path] + 7];
+var angleToVertical = (d) => degrees * Math.atan2(Math.hypot(d[0], d[1]), d[2]);
+function placeOf({ first: { numbers } }, path) {
+  return [numbers[18 * path], numbers[18 * path + 1], numbers[18 * path + 2]];
+}
+function viewOf(buffer) {
+  const { camera } = buffer, { forward } = axesOf(camera);
+  return camera.projection === "orthographic" ? () => forward : (path) => unit(difference(placeOf(buffer, path), camera.eye));
+}
+function facingOf(buffer) {
+  const view = viewOf(buffer);
+  return (path) => -dot(view(path), normalOf(buffer, path));
+}
+function zebraPhase({ first: { numbers } }) {
+  return (path) => 2 * angleToVertical([numbers[18 * path + 3], numbers[18 * path + 4], numbers[18 * path + 5]]) / 10;
+}
+function highlightPhase(buffer, rows) {
+  return (path) => {
+    const place = placeOf(buffer, path), normal = normalOf(buffer, path);
+    for (const row2 of rows) {
+      const reach2 = dot(row2.normal, difference(row2.origin, place)) / dot(row2.normal, normal);
+      if (!(reach2 > 0 && Number.isFinite(reach2) && row2.pitch > 0)) continue;
+      const at = sum(place, scaled(normal, reach2));
+      return 2 * (dot(row2.v, difference(at, row2.origin)) - row2.first) / row2.pitch + 0.5;
+    }
+    return NaN;
+  };
+}
+function reachOf(buffer, values) {
+  const { pathOf, pixels, camera: { width }, rowStep } = buffer;
+  const slope = (path, step2) => {
+    let least = Infinity;
+    for (const other of [pathOf[pixels[path] - step2], pathOf[pixels[path] + step2]])
+      if (other >= 0 && faceOf(buffer, other) === faceOf(buffer, path)) {
+        const change2 = Math.abs(values[other] - values[path]);
+        if (change2 < least) least = change2;
+      }
+    return least < Infinity ? least : 0;
+  };
+  return (path) => 0.5 * (slope(path, 1) + slope(path, width * rowStep) / rowStep);
+}
+function bands(buffer, phase) {
+  const dark = 0.06, light = 0.94, values = Float64Array.from({ length: buffer.paths }, (_, path) => phase(path));
+  const reach2 = reachOf(buffer, values);
+  const lightUpTo = (x) => {
+    const whole = Math.floor(x / 2);
+    return whole + Math.min(Math.max(x - 2 * whole - 1, 0), 1);
+  };
+  return (path) => {
+    const x = values[path], r = Math.max(1e-6, 1e-12 * Math.abs(x), reach2(path));
+    const share2 = Number.isNaN(x) ? 0.5 : (lightUpTo(x + r) - lightUpTo(x - r)) / (2 * r), grey = dark + (light - dark) * share2;
+    return [grey, grey, grey];
+  };
+}
+var mixed = (a, b, share2) => {
+  const t = Math.min(Math.max(share2, 0), 1);
+  return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
+};
+var signedStops = [[0.02, 0.12, 0.55], [0.25, 0.55, 0.9], [0.87, 0.87, 0.87], [0.95, 0.5, 0.25], [0.6, 0.02, 0.05]];
+function curvatureColor(share2) {
+  if (Number.isNaN(share2)) return unknown;
+  const at = 2 * (Math.min(Math.max(share2, -1), 1) + 1), first = Math.min(3, Math.floor(at));
+  return mixed(signedStops[first], signedStops[first + 1], at - first);
+}
+function draftColor(buffer) {
+  const steps = 8, floatAngle = 1e-4;
+  const angles = Float64Array.from({ length: buffer.paths }, (_, path) => 90 - angleToVertical(normalOf(buffer, path)));
+  const reach2 = reachOf(buffer, angles);
+  const at = (angle) => {
+    if (angle < -floatAngle) return mixed([0.98, 0.45, 0.32], [0.68, 0.02, 0.05], -angle / draftRange);
+    if (angle < draftLimit - floatAngle) return [0.99, 0.84, 0.2];
+    return mixed([0.6, 0.8, 0.95], [0.08, 0.27, 0.75], (angle - draftLimit) / (draftRange - draftLimit));
+  };
+  return (path) => {
+    if (faceOf(buffer, path) < 0) return ground;
+    const mean = [0, 0, 0], r = reach2(path);
+    for (let i = 0; i < steps; ++i) {
+      const own = at(angles[path] + r * ((2 * i + 1) / steps - 1));
+      for (let k = 0; k < 3; ++k) mean[k] += own[k] / steps;
+    }
+    return mean;
+  };
+}
+function faceColor(face) {
+  if (face < 0) return ground;
+  const golden = 0.61803398875, hue = face * golden % 1, value = 0.75 + 0.25 * (face * 7 % 4) / 3;
+  const channel = (shift) => value * (0.45 + 0.55 * Math.min(Math.max(Math.abs((hue + shift) % 1 * 6 - 3) - 1, 0), 1));
+  return [channel(0), channel(2 / 3), channel(1 / 3)];
+}
+
+// source/surface.ts
+var Surface = class {
+  constructor() {
+    this.t = 0;
+    this.way = 0;
+    this.face = 0;
+    this.xx = 0;
+    this.xy = 0;
+    this.yy = 0;
+    this.normal = new Float64Array(3);
+    this.x = new Float64Array(3);
+    // tangents [Duff2017]
+    this.y = new Float64Array(3);
+  }
+  /** Reads the eight numbers from a place on. */
+  read(samples, at) {
+    this.t = samples[at], this.way = samples[at + 6], this.face = samples[at + 7];
+    this.xx = samples[at + 3], this.xy = samples[at + 4], this.yy = samples[at + 5];
+    const p = samples[at + 1], q = samples[at + 2], away = Math.abs(p) + Math.abs(q);
+    const isLower = Math.fround(away) > 1;
+    const a = isLower ? (1 - Math.abs(q)) * (p < 0 ? -1 : 1) : p, b = isLower ? (1 - Math.abs(p)) * (q < 0 ? -1 : 1) : q;
+    const c = 1 - away, perLength = 1 / Math.sqrt(a * a + b * b + c * c);
+    this.setNormal(a * perLength, b * perLength, c * perLength, isLower ? -1 : 1);
+  }
+  setNormal(nx, ny, nz, side) {
+    const { normal, x, y } = this, c = -1 / (side + nz), d = nx * ny * c;
+    normal[0] = nx, normal[1] = ny, normal[2] = nz;
+    x[0] = 1 + side * nx * nx * c, x[1] = side * d, x[2] = -side * nx;
+    y[0] = d, y[1] = side + ny * ny * c, y[2] = -ny;
+  }
+  /** True beside poles, where the shape is not known. */
+  get isPoint() {
+    return Number.isNaN(this.xx);
+  }
+  /** Mean curvature, 1/mm, positive where the surface bends towards the normal. */
+  get mean() {
+    return 0.5 * (this.xx + this.yy);
+  }
+  /** Both principal curvatures, 1/mm, the greater first. */
+  get principal() {
+    const spread = Math.hypot(0.5 * (this.xx - this.yy), this.xy);
+    return [this.mean + spread, this.mean - spread];
+  }
+  /** Writes the change of the normal along a step, which is three numbers of a ray from a place on. */
+  turn(ray, at, change2) {
+    const { x, y } = this;
+    const a = ray[at] * x[0] + ray[at + 1] * x[1] + ray[at + 2] * x[2];
+    const b = ray[at] * y[0] + ray[at + 1] * y[1] + ray[at + 2] * y[2];
+    const byX = -(this.xx * a + this.xy * b), byY = -(this.xy * a + this.yy * b);
+    for (let k = 0; k < 3; ++k) change2[k] = x[k] * byX + y[k] * byY;
+  }
+};
+
+// source/surface_buffer.ts
+var numbersOfSample = 8;
+var wordsOfBounce = 9;
+var SurfaceBuffer = class {
+  // by pixel: 1 right, 2 down
+  constructor(camera, mirrors) {
+    this.camera = camera;
+    this.mirrors = mirrors;
+    // by pixel; -1: no surface
+    this.first = new RayList();
+    this.later = new RayList();
+    this.pixels = new Uint32Array(1);
+    // by path
+    this.normals = new Float32Array(3);
+    // by path
+    this.laterCounts = new Uint32Array(1);
+    // by path: reflections in `later`
+    this.laterFirst = new Uint32Array(1);
+    // by path: the first of them
+    this.pathOfLater = new Uint32Array(1);
+    this.ray = new Float64Array(rayNumbers);
+    this.weight = new Float64Array(3);
+    this.surface = new Surface();
+    this.joins = null;
+    const { width, height } = camera;
+    this.samples = new Float32Array(numbersOfSample * width * height);
+    this.pathOf = new Int32Array(width * height).fill(-1);
+    this.rays = new CameraRays(camera);
+    this.rowStep = height;
+  }
+  get paths() {
+    return this.first.count;
+  }
+  /** Takes rows of the picture, which were not there before. */
+  add(pass) {
+    const { width } = this.camera, bounces = new Float32Array(pass.bounces.buffer, pass.bounces.byteOffset, pass.bounces.byteLength / 4);
+    const owners = new Uint32Array(bounces.buffer, bounces.byteOffset, bounces.length);
+    let next = 0;
+    this.reserve(pass.samples);
+    for (let row2 = 0; row2 * width * numbersOfSample < pass.samples.length; ++row2) {
+      const y = pass.first + row2 * pass.step, at = row2 * width * numbersOfSample;
+      this.samples.set(pass.samples.subarray(at, at + width * numbersOfSample), y * width * numbersOfSample);
+      for (let x = 0; x < width; ++x) {
+        const pixel = y * width + x;
+        if (!Number.isFinite(this.samples[numbersOfSample * pixel])) continue;
+        this.begin(x, y, pixel);
+        for (; owners[next] === pixel && next < owners.length; next += wordsOfBounce) this.bounce(bounces, next + 1);
+      }
+    }
+    this.rowStep = pass.first === 0 ? pass.step : Math.min(this.rowStep, pass.first);
+    this.joins = null;
+  }
+  /** Makes room for the paths of samples. */
+  reserve(samples) {
+    let paths = this.paths;
+    for (let at = 0; at < samples.length; at += numbersOfSample) if (Number.isFinite(samples[at])) ++paths;
+    this.first.reserve(paths);
+    this.pixels = grown(this.pixels, paths);
+    this.normals = grown(this.normals, 3 * paths);
+    this.laterCounts = grown(this.laterCounts, paths);
+    this.laterFirst = grown(this.laterFirst, paths);
+  }
+  /** Begins the path of a pixel by its first reflection. */
+  begin(x, y, pixel) {
+    const { ray, weight, surface, mirrors } = this, path = this.paths;
+    surface.read(this.samples, numbersOfSample * pixel);
+    this.rays.set(ray, x, y);
+    weight.fill(1);
+    mirrors.weigh(weight, surface.face, cosineAt(ray, surface));
+    reflect(ray, surface);
+    if (surface.isPoint) narrow(ray);
+    this.first.add(ray, surface.way, weight);
+    this.pixels[path] = pixel, this.laterCounts[path] = 0, this.laterFirst[path] = this.later.count;
+    for (let k = 0; k < 3; ++k) this.normals[3 * path + k] = surface.normal[k];
+    this.pathOf[pixel] = path;
+  }
+  /** Goes on along the last path, to the surface of a bounce. */
+  bounce(numbers, at) {
+    const { ray, weight, surface, mirrors } = this;
+    surface.read(numbers, at);
+    mirrors.weigh(weight, surface.face, cosineAt(ray, surface));
+    reflect(ray, surface);
+    if (surface.isPoint) narrow(ray);
+    this.pathOfLater = grown(this.pathOfLater, this.later.count + 1);
+    this.pathOfLater[this.later.count] = this.paths - 1;
+    this.later.add(ray, surface.way, weight);
+    ++this.laterCounts[this.paths - 1];
+  }
+  /** The surface of a path, which the next call changes. */
+  surfaceOf(path) {
+    this.surface.read(this.samples, numbersOfSample * this.pixels[path]);
+    return this.surface;
+  }
+  /** True if all four neighbours of a path's pixel show the same smooth surface. */
+  isAmid(path) {
+    this.joins ??= this.joined();
+    const { width, height } = this.camera, pixel = this.pixels[path], x = pixel % width;
+    if (x === 0 || x === width - 1 || pixel < width || pixel >= width * (height - 1)) return false;
+    return (this.joins[pixel] & this.joins[pixel - 1] & 1) === 1 && (this.joins[pixel] & this.joins[pixel - width] & 2) === 2;
+  }
+  joined() {
+    const { width } = this.camera, joins = new Uint8Array(this.pathOf.length);
+    for (let path = 0; path < this.paths; ++path) {
+      const pixel = this.pixels[path];
+      if (this.continues(path, this.pathOf[pixel + 1])) joins[pixel] |= 1;
+      if (pixel + width < joins.length && this.continues(path, this.pathOf[pixel + width])) joins[pixel] |= 2;
+    }
+    return joins;
+  }
+  /** True if two paths begin on one smooth surface; the rule of render/reflection/shading_point. */
+  continues(a, b) {
+    if (b === void 0 || b < 0) return false;
+    const face = (path) => this.samples[numbersOfSample * this.pixels[path] + 7];
+    const isPoint = (path) => Number.isNaN(this.samples[numbersOfSample * this.pixels[path] + 3]);
+    if (isPoint(a) || isPoint(b) || this.mirrors.material(face(a)) !== this.mirrors.material(face(b))) return false;
+    const { normals: n, first: { numbers: r } } = this, i = 3 * a, j = 3 * b, p = rayNumbers * a, q = rayNumbers * b;
+    const along = n[i] * n[j] + n[i + 1] * n[j + 1] + n[i + 2] * n[j + 2];
+    const cx = n[i + 1] * n[j + 2] - n[i + 2] * n[j + 1], cy = n[i + 2] * n[j] - n[i] * n[j + 2];
+    const cz = n[i] * n[j + 1] - n[i + 1] * n[j], widest = 0.031091204;
+    if (!(cx * cx + cy * cy + cz * cz <= widest * along * along)) return false;
+    const sx = r[q] - r[p], sy = r[q + 1] - r[p + 1], sz = r[q + 2] - r[p + 2];
+    const off = Math.min(Math.abs(sx * n[i] + sy * n[i + 1] + sz * n[i + 2]), Math.abs(sx * n[j] + sy * n[j + 1] + sz * n[j + 2]));
+    return off * off <= 0.04 * (sx * sx + sy * sy + sz * sz);
+  }
+};
+
 // source/picture.ts
-var looks2 = ["lamps", "zebra", "curvature"];
-var textureNames = ["samples", "bounces", "materials", "first_bounce", "material_of_face"];
+var looks = ["lamps", ...surfaceLooks];
+var srgb = (c) => c <= 31308e-7 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055;
+var byteSteps = 1 << 16;
+var bytes = Uint8Array.from({ length: byteSteps + 1 }, (_, i) => Math.round(255 * srgb(i / byteSteps)));
+var byteOf = (share2) => bytes[share2 >= 1 ? byteSteps : share2 > 0 ? Math.round(byteSteps * share2) : 0];
+var word = (r, g, b) => (4278190080 | b << 16 | g << 8 | r) >>> 0;
 var Picture = class {
+  // of the image, one a pixel
   constructor(canvas, facts2) {
     this.canvas = canvas;
     this.facts = facts2;
-    this.programs = /* @__PURE__ */ new Map();
-    this.textures = {};
-    this.samples = new Float32Array(0);
-    this.chains = new Uint32Array(0);
-    this.bounces = new Float32Array(8 * bouncesARow);
-    this.bounceCount = 0;
-    this.rowStep = 1;
-    this.camera = null;
-    const gl = canvas.getContext("webgl2", { antialias: false, preserveDrawingBuffer: true });
-    if (!gl) throw new Error("this browser has no WebGL 2");
-    this.gl = gl;
-    gl.getExtension("EXT_color_buffer_float");
-    textureNames.forEach((name, unit2) => {
-      this.textures[name] = gl.createTexture();
-      gl.activeTexture(gl.TEXTURE0 + unit2);
-      gl.bindTexture(gl.TEXTURE_2D, this.textures[name]);
-      for (const side of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER]) gl.texParameteri(gl.TEXTURE_2D, side, gl.NEAREST);
-    });
-    this.setMaterials(facts2);
-    this.program = this.use("lamps", false, 0);
+    this.buffer = null;
+    this.shown = "";
+    this.shownBuffer = null;
+    this.image = new ImageData(1, 1);
+    this.words = new Uint32Array(this.image.data.buffer);
+    this.context = canvas.getContext("2d", { alpha: false, willReadFrequently: true });
+    this.mirrors = new Mirrors(facts2);
+    this.lamps = new LampLight(facts2);
   }
-  /** Takes the first pass of a camera's picture, or one that refines it. */
-  add(pass, camera, isFirst) {
-    if (isFirst) this.begin(camera);
-    const { gl } = this, numbers = 8 * pass.width;
-    this.bind("samples");
-    for (let row2 = 0; row2 * numbers < pass.samples.length; ++row2) {
-      const y = pass.first + row2 * pass.step, part = pass.samples.subarray(row2 * numbers, (row2 + 1) * numbers);
-      this.samples.set(part, y * numbers);
-      gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, y, 2 * pass.width, 1, gl.RGBA, gl.FLOAT, part);
-    }
-    this.addBounces(pass);
-    this.rowStep = pass.first === 0 ? pass.step : Math.min(this.rowStep, pass.first);
+  /** The surfaces in hand. */
+  get surfaces() {
+    return this.buffer;
   }
-  /** Draws the buffer in hand, or every stride-th pixel of it; false without one. */
-  draw(display, stride = 1) {
-    const { gl, camera } = this;
-    if (!camera) return false;
-    gl.viewport(0, 0, Math.ceil(camera.width / stride), Math.ceil(camera.height / stride));
-    this.program = this.use(display.look, display.isHurried, display.planes.length);
-    gl.uniform1i(this.place("stride"), stride);
-    this.setCamera(camera);
-    this.setDisplay(display);
-    gl.drawArrays(gl.TRIANGLES, 0, 3);
+  /** An empty buffer for a camera's picture. */
+  bufferFor(camera) {
+    return new SurfaceBuffer(camera, this.mirrors);
+  }
+  /** Takes the buffer that is shown from now on. */
+  show(buffer) {
+    this.buffer = buffer;
+  }
+  /** Draws the buffer in hand; false without one. */
+  draw(display) {
+    const { buffer } = this;
+    if (!buffer) return false;
+    this.size(buffer.camera);
+    if (display.look === "lamps") this.drawLamps(display, buffer);
+    else this.drawLook(display.look, display, buffer);
+    this.repeatRows(buffer);
+    this.context.putImageData(this.image, 0, 0);
     return true;
   }
-  /** Draws every stride-th pixel of the buffer, each as a square: for machines that are slow. */
-  drawCoarsely(display, stride) {
-    const { gl, camera } = this;
-    if (!camera) return;
-    const width = Math.ceil(camera.width / stride), height = Math.ceil(camera.height / stride);
-    this.onTexture(gl.RGBA8, width, height, () => {
-      this.draw(display, stride);
-      gl.bindFramebuffer(gl.DRAW_FRAMEBUFFER, null);
-      gl.blitFramebuffer(0, 0, width, height, 0, 0, width * stride, height * stride, gl.COLOR_BUFFER_BIT, gl.NEAREST);
-    });
+  /** Divides pixels whose image of the lamps is bent, for some milliseconds; false if there are more. */
+  refine(display, milliseconds) {
+    if (!this.buffer || display.look !== "lamps" || this.buffer.rowStep > 1) return true;
+    const isDone = this.lamps.refine(milliseconds);
+    this.writeChanged(display.white);
+    this.context.putImageData(this.image, 0, 0);
+    return isDone;
   }
-  /** Compiles what a display needs before it is in a hurry. */
-  prepare(display) {
-    this.onTexture(this.gl.RGBA8, 1, 1, () => this.draw(display, this.camera?.width ?? 1));
-  }
-  /** Waits until the canvas is drawn. */
-  finish() {
-    const { gl } = this;
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
-  }
-  /** Luminance, cd/m2, that 1 % of the body's picture exceeds, by every stride-th pixel: white in a still. */
-  whiteOf(display, stride) {
-    const { gl, camera } = this;
-    if (!camera) return 1;
-    const width = Math.ceil(camera.width / stride), height = Math.ceil(camera.height / stride);
-    const pixels2 = new Float32Array(4 * width * height);
-    this.onTexture(gl.RGBA32F, width, height, () => {
-      this.draw({ ...display, look: "lamps", white: 0 }, stride);
-      gl.readPixels(0, 0, width, height, gl.RGBA, gl.FLOAT, pixels2);
-    });
-    const seen = [];
-    for (let i = 0; i < pixels2.length; i += 4)
-      if (pixels2[i + 3] > 0) seen.push(0.2126 * pixels2[i] + 0.7152 * pixels2[i + 1] + 0.0722 * pixels2[i + 2]);
-    return quantile(seen, 0.99) || 1;
+  /** Luminance, cd/m2, that 1 % of the body's picture exceeds as it was drawn: white in a still. */
+  whiteOf() {
+    const { buffer } = this;
+    if (!buffer) return 1;
+    const light = this.lamps.luminance, values = new Float64Array(buffer.paths);
+    for (let path = 0; path < buffer.paths; ++path)
+      values[path] = 0.2126 * light[3 * path] + 0.7152 * light[3 * path + 1] + 0.0722 * light[3 * path + 2];
+    return quantile(values, 0.99) || 1;
   }
   /** The round curvature, 1/mm, that 2 % of the body's picture exceed. */
   usualCurvature() {
-    const sizes = [];
-    for (let i = 0; i < this.samples.length; i += 8) {
-      const mean = (this.samples[i + 3] + this.samples[i + 5]) / 2;
-      if (this.samples[i + 7] > 0 && !Number.isNaN(mean)) sizes.push(Math.abs(mean));
+    const { buffer } = this, sizes = [];
+    for (let path = 0; buffer && path < buffer.paths; ++path) {
+      const surface = buffer.surfaceOf(path);
+      if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(surface.mean));
     }
-    const value = quantile(sizes, 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
-    return power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10);
+    const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
+    return power * ([1, 2, 5].find((step2) => value <= step2 * power * (1 + 1e-9)) ?? 10);
   }
   /** The surface at a pixel, if there is one. */
   pick(x, y) {
-    if (!this.camera) return null;
-    const at = 8 * (Math.floor(y / this.rowStep) * this.rowStep * this.camera.width + x);
-    const [t, p, q, xx, xy, yy, , face] = this.samples.subarray(at, at + 8);
-    if (!Number.isFinite(t)) return null;
-    const isLower = Math.fround(Math.abs(p) + Math.abs(q)) > 1;
-    const fold = (a, b) => (1 - Math.abs(b)) * (a < 0 ? -1 : 1);
-    const normal = unit([isLower ? fold(p, q) : p, isLower ? fold(q, p) : q, 1 - Math.abs(p) - Math.abs(q)]);
-    const mean = (xx + yy) / 2, spread = Math.hypot((xx - yy) / 2, xy);
-    return { t, normal, radii: [1 / (mean + spread), 1 / (mean - spread)], face };
+    const { buffer } = this;
+    const path = buffer?.pathOf[Math.floor(y / buffer.rowStep) * buffer.rowStep * buffer.camera.width + x] ?? -1;
+    if (!buffer || path < 0) return null;
+    const { t, normal, face, principal: [k1, k2] } = buffer.surfaceOf(path);
+    return { t, normal: [...normal], radii: [1 / k1, 1 / k2], face };
   }
-  /** Lets work be done on a texture in place of the canvas. */
-  onTexture(format, width, height, work) {
-    const { gl } = this, target = gl.createFramebuffer(), texture = gl.createTexture();
-    gl.activeTexture(gl.TEXTURE8);
-    gl.bindTexture(gl.TEXTURE_2D, texture);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, format, width, height);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, target);
-    gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D, texture, 0);
-    work();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    gl.deleteFramebuffer(target);
-    gl.deleteTexture(texture);
+  size({ width, height }) {
+    if (this.canvas.width !== width || this.canvas.height !== height) this.canvas.width = width, this.canvas.height = height;
+    if (this.image.width === width && this.image.height === height) return;
+    this.image = new ImageData(width, height);
+    this.words = new Uint32Array(this.image.data.buffer);
   }
-  begin(camera) {
-    const { gl } = this, { width, height } = camera;
-    const isNew = this.camera?.width !== width || this.camera.height !== height;
-    this.camera = camera;
-    this.bounceCount = 0;
-    if (isNew) {
-      this.samples = new Float32Array(8 * width * height);
-      this.chains = new Uint32Array(width * height);
-      this.canvas.width = width, this.canvas.height = height;
-      this.bind("samples");
-      gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2 * width, height, 0, gl.RGBA, gl.FLOAT, null);
-    }
-    this.samples.fill(0);
-    this.chains.fill(0);
+  drawLamps({ planes, white }, buffer) {
+    this.lamps.set(buffer, planes);
+    this.lamps.update();
+    const shown2 = `lamps ${white}`;
+    if (this.shown === shown2 && this.shownBuffer === buffer) return this.writeChanged(white);
+    this.shown = shown2, this.shownBuffer = buffer;
+    const { words } = this, [r, g, b] = this.facts.background.map((light) => byteOf(light / white));
+    words.fill(word(r, g, b));
+    for (let path = 0; path < buffer.paths; ++path) this.write(path, 1 / white);
   }
-  addBounces(pass) {
-    const { gl } = this, count = pass.bounces.byteLength / bounceBytes;
-    this.reserve(this.bounceCount + count);
-    for (let i = 0; i < count; ++i) {
-      const at = i * bounceBytes, pixel = pass.bounces.getUint32(at, true), number = this.bounceCount++;
-      const chain = this.chains[pixel];
-      this.chains[pixel] = chain === 0 ? (1 << 28 | number) >>> 0 : chain + (1 << 28);
-      for (let k = 0; k < 8; ++k) this.bounces[8 * number + k] = pass.bounces.getFloat32(at + 4 + 4 * k, true);
-    }
-    this.bind("bounces");
-    gl.texImage2D(
-      gl.TEXTURE_2D,
-      0,
-      gl.RGBA32F,
-      2 * bouncesARow,
-      this.bounces.length / (8 * bouncesARow),
-      0,
-      gl.RGBA,
-      gl.FLOAT,
-      this.bounces
-    );
-    this.bind("first_bounce");
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, pass.width, pass.height, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, this.chains);
+  /** Writes the light of the paths that the last update of the lamps changed. */
+  writeChanged(white) {
+    const { list: list2, count } = this.lamps.changed;
+    for (let i = 0; i < count; ++i) this.write(list2[i], 1 / white);
   }
-  reserve(count) {
-    const rows = Math.ceil(count / bouncesARow);
-    if (rows * 8 * bouncesARow <= this.bounces.length) return;
-    const larger = new Float32Array(rows * 8 * bouncesARow);
-    larger.set(this.bounces);
-    this.bounces = larger;
+  write(path, perWhite) {
+    const light = this.lamps.luminance, at = 3 * path;
+    this.words[this.buffer.pixels[path]] = word(byteOf(light[at] * perWhite), byteOf(light[at + 1] * perWhite), byteOf(light[at + 2] * perWhite));
   }
-  setMaterials(facts2) {
-    const { gl } = this;
-    const kind = (m) => !m.mirror ? 0 : m.metal ? 2 : 1;
-    const table = new Float32Array(facts2.materials.flatMap((m) => [...m.n, kind(m), ...m.k, 0]));
-    this.bind("materials");
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA32F, 2, facts2.materials.length, 0, gl.RGBA, gl.FLOAT, table);
-    const rows = Math.ceil(Math.max(1, facts2.faces.length) / facesARow);
-    const numbers = new Uint32Array(rows * facesARow);
-    facts2.faces.forEach((face, i) => {
-      numbers[i] = face.material;
-    });
-    this.bind("material_of_face");
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32UI, facesARow, rows, 0, gl.RED_INTEGER, gl.UNSIGNED_INT, numbers);
+  drawLook(look, display, buffer) {
+    const colors = lookColors(look, buffer, display), byte = (share2) => Math.round(255 * Math.min(share2, 1)), none = byte(0.07);
+    this.shown = look;
+    this.words.fill(word(none, none, none));
+    for (let path = 0, at = 0; path < buffer.paths; ++path, at += 3)
+      this.words[buffer.pixels[path]] = word(byte(colors[at]), byte(colors[at + 1]), byte(colors[at + 2]));
   }
-  /** Numbers of the scene, which a program needs once. */
-  setScene(facts2) {
-    const { gl } = this;
-    textureNames.forEach((name, unit2) => gl.uniform1i(this.place(name), unit2));
-    gl.uniform1i(this.place("ground_material"), facts2.ground?.material ?? 0);
-    gl.uniform1f(this.place("min_weight"), facts2.min_weight);
-    gl.uniform3fv(this.place("background"), facts2.background);
-    gl.uniform3fv(this.place("ambient"), scaled(facts2.rig.ambient, 1 / Math.PI));
-  }
-  setCamera(camera) {
-    const { gl } = this, axes = axesOf(camera);
-    gl.uniform3fv(this.place("eye"), camera.eye);
-    for (const axis of ["right", "up", "forward"]) gl.uniform3fv(this.place(axis), axes[axis]);
-    gl.uniform1i(this.place("is_parallel"), Number(camera.projection === "orthographic"));
-    gl.uniform1f(this.place("pixel_size"), pixelSize(camera));
-    gl.uniform2i(this.place("size"), camera.width, camera.height);
-    gl.uniform1i(this.place("row_step"), this.rowStep);
-  }
-  setDisplay(display) {
-    const { gl } = this, planes = display.planes.slice(0, mostPlanes);
-    gl.uniform1f(this.place("white"), display.white);
-    gl.uniform1f(this.place("full_curvature"), display.fullCurvature);
-    planes.forEach((plane, i) => this.setPlane(`planes[${i}]`, plane));
-  }
-  setPlane(name, plane) {
-    const { gl } = this, u = unit(plane.u);
-    const across = difference(plane.v, scaled(u, dot(u, plane.v))), v = unit(across);
-    const vectors = { origin: plane.origin, u, v, normal: cross(u, v), luminance: plane.luminance };
-    for (const [field, value] of Object.entries(vectors)) gl.uniform3fv(this.place(`${name}.${field}`), value);
-    const numbers = {
-      length: length(plane.u),
-      first: (length(across) - (plane.lamps - 1) * plane.pitch) / 2,
-      pitch: plane.pitch,
-      diameter: plane.diameter
-    };
-    for (const [field, value] of Object.entries(numbers)) gl.uniform1f(this.place(`${name}.${field}`), value);
-    gl.uniform1i(this.place(`${name}.lamps`), plane.lamps);
-    gl.uniform1i(this.place(`${name}.round`), Number(plane.mirror !== "flat"));
-  }
-  bind(texture) {
-    const { gl } = this;
-    gl.activeTexture(gl.TEXTURE0 + textureNames.indexOf(texture));
-    gl.bindTexture(gl.TEXTURE_2D, this.textures[texture]);
-  }
-  place(uniform) {
-    const { linked: linked2, places } = this.program;
-    if (!places.has(uniform)) places.set(uniform, this.gl.getUniformLocation(linked2, uniform));
-    return places.get(uniform);
-  }
-  /** The program of a look, ready to be set; only lamps know of a hurry. */
-  use(look, isHurried, planes) {
-    const number = looks2.indexOf(look), lamps2 = number === 0 ? Math.min(planes, mostPlanes) : 0;
-    const hurries = number === 0 && isHurried, key = `${look} ${hurries} ${lamps2}`;
-    const known = this.programs.get(key);
-    const program = known ?? { linked: linked(this.gl, fragmentShader(number, hurries, lamps2)), places: /* @__PURE__ */ new Map() };
-    this.programs.set(key, program);
-    this.program = program;
-    this.gl.useProgram(program.linked);
-    if (!known) this.setScene(this.facts);
-    return program;
+  /** Shows rows that are not there yet by the nearest above. */
+  repeatRows({ rowStep, camera: { width, height } }) {
+    for (let y = 0; y < height; ++y)
+      if (y % rowStep !== 0) this.words.copyWithin(y * width, (y - y % rowStep) * width, (y - y % rowStep + 1) * width);
   }
 };
-function linked(gl, fragment) {
-  const program = gl.createProgram();
-  for (const [kind, text] of [[gl.VERTEX_SHADER, vertexShader], [gl.FRAGMENT_SHADER, fragment]]) {
-    const shader = gl.createShader(kind);
-    gl.shaderSource(shader, text);
-    gl.compileShader(shader);
-    if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader) ?? "");
-    gl.attachShader(program, shader);
-  }
-  gl.linkProgram(program);
-  if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program) ?? "");
-  return program;
-}
-function quantile(values, share) {
-  const sorted = Float64Array.from(values).sort();
-  return sorted[Math.round(share * (sorted.length - 1))] ?? 0;
+function quantile(values, share2) {
+  return values.sort()[Math.round(share2 * (values.length - 1))] ?? 0;
 }
 
 // source/server.ts
 function tokenOf() {
-  const given = new URLSearchParams(location.hash.slice(1)).get("token");
+  const fragment = new URLSearchParams(location.hash.slice(1)), given = fragment.get("token");
   if (given) {
     sessionStorage.setItem("token", given);
-    history.replaceState(null, "", location.pathname);
+    fragment.delete("token");
+    history.replaceState(null, "", `#${fragment}`);
   }
   return sessionStorage.getItem("token") ?? "";
 }
-var headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
+var token = tokenOf();
+var headers = { "X-Keiko-Token": token, "X-Keiko-Client": `page-${crypto.randomUUID()}` };
 async function ask(method, path, body2, signal) {
   const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body2 ?? "", signal });
   if (reply.ok) return reply;
-  const text = await reply.text();
-  let reason = text;
+  const text2 = await reply.text();
+  let reason = text2;
   try {
-    reason = JSON.parse(text).error;
+    reason = JSON.parse(text2).error;
   } catch {
   }
   throw new Error(`${path}: ${reason}`);
@@ -896,12 +1522,12 @@ function requestText(camera, planes, more = "") {
 }
 async function followProgress(tell) {
   const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
-  let text = "";
+  let text2 = "";
   for (; ; ) {
     const { value, done } = await reader.read();
     if (done) return;
-    const lines2 = (text + value).split("\n");
-    text = lines2.pop();
+    const lines2 = (text2 + value).split("\n");
+    text2 = lines2.pop();
     for (const line of lines2)
       if (line.startsWith("data: ")) {
         const { stage, fraction } = JSON.parse(line.slice(6));
@@ -910,8 +1536,232 @@ async function followProgress(tell) {
   }
 }
 
+// source/deep_buffer.ts
+var header = 32;
+var sampleBytes = 32;
+var bounceBytes = 36;
+var magic = "KEIKOD1\n";
+function sizeOf(view) {
+  return header + view.getUint32(24, true) * sampleBytes + view.getUint32(28, true) * bounceBytes;
+}
+function passOf(bytes2) {
+  const view = new DataView(bytes2.buffer, bytes2.byteOffset, bytes2.byteLength);
+  const samples = view.getUint32(24, true);
+  const end = header + samples * sampleBytes;
+  return {
+    width: view.getUint32(8, true),
+    height: view.getUint32(12, true),
+    first: view.getUint32(16, true),
+    step: view.getUint32(20, true),
+    samples: new Float32Array(bytes2.buffer, bytes2.byteOffset + header, samples * 8),
+    bounces: new DataView(bytes2.buffer, bytes2.byteOffset + end, bytes2.byteLength - end)
+  };
+}
+var Reader = class {
+  constructor(stream) {
+    this.rest = new Uint8Array(0);
+    this.reader = stream.getReader();
+  }
+  /** Writes into all of `to`; false at the end of the stream. */
+  async fill(to) {
+    let done = 0;
+    while (done < to.length) {
+      if (this.rest.length === 0) {
+        const { value } = await this.reader.read();
+        if (!value) {
+          if (done > 0) throw new Error("the deep buffer was cut off");
+          return false;
+        }
+        this.rest = value;
+      }
+      const count = Math.min(this.rest.length, to.length - done);
+      to.set(this.rest.subarray(0, count), done);
+      this.rest = this.rest.subarray(count);
+      done += count;
+    }
+    return true;
+  }
+};
+async function readPasses(reply, use) {
+  const reader = new Reader(reply.body);
+  for (; ; ) {
+    const head = new Uint8Array(header);
+    if (!await reader.fill(head)) return;
+    if (new TextDecoder().decode(head.subarray(0, 8)) !== magic) throw new Error("this is no deep buffer");
+    const bytes2 = new Uint8Array(sizeOf(new DataView(head.buffer)));
+    bytes2.set(head);
+    await reader.fill(bytes2.subarray(header));
+    use(passOf(bytes2));
+  }
+}
+
+// source/reprojection.ts
+var numbersOfSample2 = 8;
+var sameSurface = 1e-3;
+function reprojected(from, camera) {
+  const { width, height } = camera, samples = new Float32Array(numbersOfSample2 * width * height);
+  for (let at = 0; at < samples.length; at += numbersOfSample2) samples[at] = Infinity;
+  const projection2 = new Projection(camera), side = squareOf(from, camera);
+  const { first: { numbers } } = from;
+  for (let path = 0; path < from.paths; ++path) {
+    projection2.set(numbers, 18 * path);
+    const { x, y, depth } = projection2;
+    if (!(depth > 0)) continue;
+    const left2 = Math.floor(x - 0.5 * (side - 1)), top2 = Math.floor(y - 0.5 * (side - 1));
+    for (let row2 = Math.max(top2, 0); row2 < Math.min(top2 + side, height); ++row2)
+      for (let column = Math.max(left2, 0); column < Math.min(left2 + side, width); ++column)
+        put(samples, numbersOfSample2 * (row2 * width + column), projection2, from, path, column, row2);
+  }
+  return { width, height, first: 0, step: 1, samples, bounces: new DataView(new ArrayBuffer(0)) };
+}
+function squareOf(from, camera) {
+  const far = (c) => c.projection === "orthographic" ? 1 : length(difference(c.eye, c.target));
+  const scale = pixelSize(from.camera) * far(from.camera) / (pixelSize(camera) * far(camera)) * Math.min(from.rowStep, 2);
+  return scale < 0.75 ? 1 : Math.min(8, Math.ceil(1.3 * scale));
+}
+function put(samples, at, projection2, from, path, x, y) {
+  const { normals, samples: own, pixels } = from, n = 3 * path, source = numbersOfSample2 * pixels[path];
+  const t = projection2.along(x + 0.5, y + 0.5, normals[n], normals[n + 1], normals[n + 2]);
+  if (!(t > 0 && t < (1 - sameSurface) * samples[at])) return;
+  for (let k = 1; k < numbersOfSample2; ++k) samples[at + k] = own[source + k];
+  samples[at] = t;
+  projection2.turnNormal(from, path, x + 0.5, y + 0.5, t, samples, at);
+}
+var Projection = class {
+  constructor(camera) {
+    this.camera = camera;
+    this.x = 0;
+    this.y = 0;
+    this.depth = 0;
+    // mm from the eye, or from its plane
+    this.place = [0, 0, 0];
+    this.origin = [0, 0, 0];
+    this.ray = [0, 0, 0];
+    this.axes = axesOf(camera);
+    this.size = pixelSize(camera);
+    this.isParallel = camera.projection === "orthographic";
+  }
+  /** Takes the place that three numbers state. */
+  set(numbers, at) {
+    const { camera: { eye, width, height }, axes: { right: right2, up, forward }, place } = this;
+    for (let k = 0; k < 3; ++k) place[k] = numbers[at + k];
+    const a = place[0] - eye[0], b = place[1] - eye[1], c = place[2] - eye[2];
+    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
+    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
+    this.x = 0.5 * width + (a * right2[0] + b * right2[1] + c * right2[2]) * scale;
+    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
+  }
+  /** t at which the ray through a point of the picture meets the plane through the place with a normal. */
+  along(x, y, nx, ny, nz) {
+    this.setRay(x, y);
+    const { origin: o, ray: d, place: p } = this, towards = nx * d[0] + ny * d[1] + nz * d[2];
+    return towards < -0.02 ? (nx * (p[0] - o[0]) + ny * (p[1] - o[1]) + nz * (p[2] - o[2])) / towards : -1;
+  }
+  setRay(x, y) {
+    const { camera: { eye, width, height }, axes: { right: right2, up, forward }, origin, ray, size: size2, isParallel } = this;
+    const across = (x - 0.5 * width) * size2, rise = (0.5 * height - y) * size2;
+    let square = 0;
+    for (let k = 0; k < 3; ++k) {
+      const aside = right2[k] * across + up[k] * rise;
+      origin[k] = eye[k] + (isParallel ? aside : 0);
+      ray[k] = forward[k] + (isParallel ? 0 : aside);
+      square += ray[k] * ray[k];
+    }
+    for (let k = 0, perLength = 1 / Math.sqrt(square); k < 3; ++k) ray[k] *= perLength;
+  }
+  /** Turns the normal of a sample by the surface's curvature over the way from the place to the ray's end. */
+  turnNormal(from, path, x, y, t, samples, at) {
+    this.setRay(x, y);
+    const surface = from.surfaceOf(path), { origin: o, ray: d, place: p } = this;
+    if (surface.isPoint) return;
+    for (let k = 0; k < 3; ++k) step[k] = o[k] + t * d[k] - p[k];
+    surface.turn(step, 0, change);
+    const n = unit([surface.normal[0] + change[0], surface.normal[1] + change[1], surface.normal[2] + change[2]]);
+    const sum2 = Math.abs(n[0]) + Math.abs(n[1]) + Math.abs(n[2]), q = n[0] / sum2, r = n[1] / sum2;
+    const isLower = n[2] < 0, wasLower = surface.normal[2] < 0;
+    if (isLower !== wasLower) return;
+    samples[at + 1] = isLower ? (1 - Math.abs(r)) * Math.sign(q || 1) : q;
+    samples[at + 2] = isLower ? (1 - Math.abs(q)) * Math.sign(r || 1) : r;
+  }
+};
+var step = new Float64Array(3);
+var change = new Float64Array(3);
+
+// source/tracing.ts
+var Tracing = class {
+  /** `reflections`: most of them that are followed; `show` gets surfaces, which may become more. */
+  constructor(reflections, bufferFor, show, traced = {}) {
+    this.reflections = reflections;
+    this.bufferFor = bufferFor;
+    this.show = show;
+    this.traced = traced;
+    /** The last surfaces that came from the server. */
+    this.source = null;
+    this.own = new AbortController();
+    this.isDrafting = false;
+    this.wanted = null;
+  }
+  /** Fetches all surfaces, coarse rows first; false if a later call ended this one. */
+  async rest(camera) {
+    this.own.abort();
+    this.wanted = null;
+    const own = this.own = new AbortController(), buffer = this.bufferFor(camera), isFirst = !this.source, fineEnough = 2;
+    await this.fetch(buffer, true, own.signal, () => {
+      if (!isFirst && buffer.rowStep > fineEnough) return;
+      this.source = buffer;
+      this.show(buffer);
+    });
+    return !own.signal.aborted;
+  }
+  /** Shows the surfaces in hand from an eye that moves, and fetches a draft of what it sees. */
+  async move(camera) {
+    const draft = sized(camera, camera.width >> 1, camera.height >> 1);
+    if (!this.isDrafting) this.own.abort();
+    this.wanted = draft;
+    this.preview();
+    if (this.isDrafting) return;
+    this.isDrafting = true;
+    try {
+      while (this.wanted) await this.draft(this.wanted);
+    } finally {
+      this.isDrafting = false;
+    }
+  }
+  async draft(camera) {
+    const own = this.own = new AbortController(), buffer = this.bufferFor(camera);
+    await this.fetch(buffer, false, own.signal, () => {
+      this.source = buffer;
+    });
+    if (own.signal.aborted) return;
+    if (this.wanted === camera) this.wanted = null, this.show(buffer);
+    else this.preview();
+  }
+  preview() {
+    if (!this.source || !this.wanted) return;
+    const buffer = this.bufferFor(this.wanted);
+    buffer.add(reprojected(this.source, this.wanted));
+    this.show(buffer);
+  }
+  async fetch(buffer, isInterlaced, signal, use) {
+    const more = `interlaced = ${isInterlaced}
+reflections = ${Math.min(8, Math.max(1, this.reflections))}
+${hiddenText(this.traced.hidden?.() ?? [])}`;
+    try {
+      const reply = await ask("POST", this.traced.path ?? "/deep", requestText(buffer.camera, void 0, more), signal);
+      await readPasses(reply, (pass) => {
+        if (signal.aborted) return;
+        buffer.add(pass);
+        use();
+      });
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
+  }
+};
+
 // source/compare.ts
 var ways = ["new", "both", "difference"];
+var slice = 12;
 var Earlier = class {
   constructor(host, over) {
     this.host = host;
@@ -921,7 +1771,7 @@ var Earlier = class {
     this.traced = null;
     this.drawn = "";
     this.way = "new";
-    this.running = new AbortController();
+    this.tracing = null;
     byId("still").after(this.canvas);
   }
   async show(way) {
@@ -932,12 +1782,16 @@ var Earlier = class {
     this.over.parentElement.classList.toggle("comparing", way !== "new");
     if (wasShown || way === "new") return;
     const facts2 = await (await ask("GET", "/against/scene")).json();
-    this.picture ??= new Picture(this.canvas, facts2);
+    const picture = this.picture ??= new Picture(this.canvas, facts2);
+    this.tracing ??= new Tracing(facts2.reflections, (camera) => picture.bufferFor(camera), (buffer) => {
+      picture.show(buffer);
+      this.draw(this.host.display());
+    }, { path: "/against/deep" });
     this.follow();
   }
   /** Share of the picture, from the left, that shows the new revision. */
-  split(share) {
-    this.canvas.style.clipPath = `inset(0 0 0 ${(100 * share).toFixed(2)}%)`;
+  split(share2) {
+    this.canvas.style.clipPath = `inset(0 0 0 ${(100 * share2).toFixed(2)}%)`;
   }
   /** Follows eye, look and lamps as long as it is shown. */
   follow() {
@@ -955,20 +1809,13 @@ var Earlier = class {
   }
   async trace(camera) {
     this.traced = camera;
-    this.running.abort();
-    const own = this.running = new AbortController();
-    let isFirst = true;
     try {
-      const reply = await ask("POST", "/against/deep", requestText(camera), own.signal);
-      await readPasses(reply, (pass) => {
-        if (own.signal.aborted) return;
-        this.picture.add(pass, camera, isFirst);
-        isFirst = false;
-        this.draw(this.host.display());
-      });
+      if (!await this.tracing.rest(camera)) return;
+      while (camera === this.traced && !this.picture.refine(this.host.display(), slice))
+        await new Promise((resolve) => setTimeout(resolve));
       this.canvas.dataset.traced = "whole";
     } catch (error) {
-      if (!own.signal.aborted) this.host.fail(error);
+      this.host.fail(error);
     }
   }
 };
@@ -1000,10 +1847,10 @@ function plotted(profile, mending) {
 var wide = 320;
 var high = 90;
 var top = 14;
-function svg(tag, attributes, text = "") {
+function svg(tag, attributes, text2 = "") {
   const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
   for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
-  made.textContent = text;
+  made.textContent = text2;
   return made;
 }
 function lines(profile, value, scale) {
@@ -1081,14 +1928,200 @@ function faultsPanel(into, host) {
   into.replaceChildren(button("inspect", () => void fetchAll()));
 }
 
+// source/row_moves.ts
+function rowAxes(plane) {
+  const along = unit(plane.u), normal = unit(cross(plane.u, plane.v));
+  return { along, across: cross(normal, along), normal };
+}
+var moved = (plane, step2) => ({ ...plane, origin: sum(plane.origin, step2) });
+function turnedRow(plane, axis, angle) {
+  const middle2 = sum(plane.origin, scaled(sum(plane.u, plane.v), 0.5)), turn = (a) => turned(a, axis, angle);
+  return { ...plane, origin: sum(middle2, turn(difference(plane.origin, middle2))), u: turn(plane.u), v: turn(plane.v) };
+}
+function mmOfPixel(camera) {
+  return pixelSize(camera) * (camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye)));
+}
+function dragged(plane, camera, x, y) {
+  const { right: right2, up } = axesOf(camera), { along, across } = rowAxes(plane);
+  const way = scaled(sum(scaled(right2, x), scaled(up, -y)), mmOfPixel(camera));
+  return moved(plane, sum(scaled(along, dot(way, along)), scaled(across, dot(way, across))));
+}
+function afterMove(plane, move, amount) {
+  const axes = rowAxes(plane), angle = amount * Math.PI / 180;
+  if (move === "turn") return turnedRow(plane, axes.normal, angle);
+  if (move === "tilt") return turnedRow(plane, axes.along, angle);
+  return moved(plane, scaled(axes[move], amount));
+}
+function withRoom(plane) {
+  const needed = (plane.lamps - 1) * plane.pitch + plane.diameter, more = needed - length(plane.v);
+  if (more <= 0) return plane;
+  const across = unit(plane.v);
+  return { ...plane, origin: sum(plane.origin, scaled(across, -more / 2)), v: scaled(across, needed) };
+}
+
+// source/gizmo.ts
+var size = 130;
+var reach = 44;
+var handles = [
+  { move: "along", color: "#e05050", title: "move the row along its lamps" },
+  { move: "across", color: "#50c050", title: "move the row across its lamps" },
+  { move: "normal", color: "#5090ff", title: "move the row along its normal" }
+];
+function shape(tag, attributes, title = "") {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  if (title) made.append(Object.assign(document.createElementNS("http://www.w3.org/2000/svg", "title"), { textContent: title }));
+  return made;
+}
+var Gizmo = class {
+  /** `act` gets moves in mm or degrees, and true at the end of a drag. */
+  constructor(parent, act) {
+    this.act = act;
+    this.grabbed = null;
+    this.root = shape("svg", { id: "gizmo", width: size, height: size, viewBox: `${-size / 2} ${-size / 2} ${size} ${size}` });
+    parent.append(this.root);
+  }
+  /** Draws the axes of a row as a camera sees them; nothing without a row. */
+  show(plane, camera) {
+    if (this.grabbed) return;
+    this.root.replaceChildren();
+    if (!plane) return;
+    const { right: right2, up } = axesOf(camera), axes = rowAxes(plane), pixel = 1 / mmOfPixel(camera);
+    const least = 0.26;
+    const project2 = (axis) => {
+      const x = dot(axis, right2), y = -dot(axis, up), length2 = Math.hypot(x, y);
+      return length2 > least ? [x, y] : length2 > 0 ? [x * least / length2, y * least / length2] : [0, -least];
+    };
+    this.handle(shape("circle", { r: reach + 14, fill: "none", stroke: "#c0a030", "stroke-width": 5 }, "turn the row about its normal"), "turn", [-1.5, 0]);
+    for (const { move, color, title } of handles) {
+      const [x, y] = project2(axes[move]);
+      this.handle(shape("line", { x2: reach * x, y2: reach * y, stroke: color, "stroke-width": 6, "stroke-linecap": "round" }, title), move, [x * pixel, y * pixel]);
+      this.handle(shape("circle", { cx: reach * x, cy: reach * y, r: 7, fill: color }, title), move, [x * pixel, y * pixel]);
+    }
+    this.handle(shape("circle", { r: 8, fill: "#ddd" }, "tilt the row about its lamps"), "tilt", [0, 4]);
+  }
+  /** Lets a shape be dragged; `way`: pixels that a mm or a degree takes in the picture. */
+  handle(element2, move, way) {
+    element2.setAttribute("data-move", move);
+    element2.onpointerdown = (event) => {
+      element2.setPointerCapture(event.pointerId);
+      this.grabbed = { move, way, x: event.clientX, y: event.clientY };
+    };
+    element2.onpointermove = (event) => {
+      const { grabbed } = this;
+      if (!grabbed) return;
+      this.act(move, this.amount(event.clientX - grabbed.x, event.clientY - grabbed.y, grabbed.way), false);
+      grabbed.x = event.clientX, grabbed.y = event.clientY;
+    };
+    element2.onpointerup = () => {
+      this.grabbed = null;
+      this.act(move, 0, true);
+    };
+    this.root.append(element2);
+  }
+  /** mm or degrees of a drag by pixels. */
+  amount(x, y, [byX, byY]) {
+    return (x * byX + y * byY) / (byX * byX + byY * byY);
+  }
+};
+
+// source/help.ts
+function showDialog(title, lines2) {
+  const rows = lines2.map(([name, words]) => element("tr", [element("th", name), element("td", words)]));
+  const close = element("button", "close", { type: "button", onclick: () => dialog.close() });
+  const dialog = element("dialog", [element("h2", title), element("table", rows), close]);
+  dialog.onclose = () => dialog.remove();
+  document.body.append(dialog);
+  dialog.showModal();
+}
+
+// source/link.ts
+var text = (v) => v.map((x) => String(Number(x.toPrecision(9)))).join(",");
+function vectorOf(given) {
+  const numbers = (given ?? "").split(",").map(Number);
+  return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers : null;
+}
+var rowText = (p) => `${text([...p.origin, ...p.u, ...p.v, p.lamps, p.pitch, p.diameter, ...p.luminance])},${p.caps},${p.mirror}`;
+function rowOf(given) {
+  const parts = given.split(","), n = parts.slice(0, 15).map(Number), [caps, mirror] = parts.slice(15);
+  const isRow = parts.length === 17 && n.every(Number.isFinite) && n[9] >= 0 && n[10] > 0 && n[11] > 0 && ["dark", "luminous"].includes(caps) && ["tube", "flat", "exact"].includes(mirror);
+  if (!isRow) return null;
+  const vector2 = (at) => [n[at], n[at + 1], n[at + 2]];
+  return {
+    origin: vector2(0),
+    u: vector2(3),
+    v: vector2(6),
+    lamps: Math.round(n[9]),
+    pitch: n[10],
+    diameter: n[11],
+    luminance: vector2(12),
+    caps,
+    mirror
+  };
+}
+function keepInAddress(state) {
+  history.replaceState(null, "", `#${fragmentOf(state)}`);
+}
+function fragmentOf({ camera, look, planes }) {
+  const fragment = new URLSearchParams({ eye: text(camera.eye), target: text(camera.target), up: text(camera.up), look });
+  for (const plane of planes ?? []) fragment.append("row", rowText(plane));
+  if (planes?.length === 0) fragment.append("rows", "none");
+  return fragment;
+}
+function stateOfAddress() {
+  const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
+  const [eye, target, up] = ["eye", "target", "up"].map((name) => vectorOf(given.get(name)));
+  const look = looks.find((name) => name === given.get("look"));
+  if (!eye || !target || !up || !look || rows.some((row2) => row2 === null)) return null;
+  const isOwn = rows.length > 0 || given.get("rows") === "none";
+  return { camera: { eye, target, up }, look, planes: isOwn ? rows : null };
+}
+function linkOf(state) {
+  const fragment = fragmentOf(state);
+  fragment.set("token", token);
+  return `${location.origin}${location.pathname}#${fragment}`;
+}
+
+// source/mouse.ts
+var mouseStyles = ["Keiko", "Alias", "CATIA", "SolidWorks", "Blender"];
+var left = 1;
+var right = 2;
+var middle = 4;
+function mouseAction(style, event) {
+  const { buttons, shiftKey, ctrlKey, metaKey, altKey } = event, hasControl = ctrlKey || metaKey;
+  if (buttons === left && hasControl) return "lamps";
+  switch (style) {
+    case "Keiko":
+      return buttons & (right | middle) || shiftKey ? "pan" : "orbit";
+    case "Alias":
+      return !altKey || !shiftKey ? "none" : buttons & left ? "orbit" : buttons & middle ? "pan" : "zoom";
+    case "CATIA":
+      if (!(buttons & middle)) return "none";
+      return buttons & (left | right) || hasControl ? "orbit" : shiftKey ? "zoom" : "pan";
+    case "SolidWorks":
+    case "Blender": {
+      if (!(buttons & middle)) return "none";
+      const pans = style === "Blender" ? shiftKey : hasControl, zooms = style === "Blender" ? hasControl : shiftKey;
+      return pans ? "pan" : zooms ? "zoom" : "orbit";
+    }
+  }
+}
+var mouseHelp = {
+  Keiko: "drag turns, Shift or right button pans",
+  Alias: "Shift + Alt: left turns, middle pans, right zooms",
+  CATIA: "middle pans, middle with left, right or Ctrl turns, with Shift zooms",
+  SolidWorks: "middle turns, with Ctrl pans, with Shift zooms",
+  Blender: "middle turns, with Shift pans, with Ctrl zooms"
+};
+
 // source/section.ts
 function projection(camera) {
-  const { right, up, forward } = axesOf(camera), size = pixelSize(camera);
+  const { right: right2, up, forward } = axesOf(camera), size2 = pixelSize(camera);
   return (place) => {
     const way = difference(place, camera.eye), deep = dot(way, forward);
-    const scale = camera.projection === "orthographic" ? size : size * deep;
+    const scale = camera.projection === "orthographic" ? size2 : size2 * deep;
     if (!(scale > 0)) return null;
-    return [camera.width / 2 + dot(way, right) / scale, camera.height / 2 - dot(way, up) / scale];
+    return [camera.width / 2 + dot(way, right2) / scale, camera.height / 2 - dot(way, up) / scale];
   };
 }
 var longestTooth = 0.06;
@@ -1153,7 +2186,7 @@ function sectionPanel(into, host, picture) {
   const overlay = new Overlay(host, picture), { lower, upper } = host.facts.bounds;
   const axis = element("select", ["none", "x", "y", "z"].map((name) => element("option", name)), { ariaLabel: "axis" });
   const slider = element("input", "", { type: "range", ariaLabel: "position", step: "any", disabled: true });
-  const text = element("p");
+  const text2 = element("p");
   let running = new AbortController();
   const cut = async () => {
     running.abort();
@@ -1162,7 +2195,7 @@ function sectionPanel(into, host, picture) {
       const { curves } = await (await ask("POST", "/section", plane, own.signal)).json();
       if (own.signal.aborted) return;
       overlay.show(curves);
-      text.textContent = summary(curves, plane);
+      text2.textContent = summary(curves, plane);
     } catch (error) {
       if (!own.signal.aborted) host.fail(error);
     }
@@ -1172,14 +2205,14 @@ function sectionPanel(into, host, picture) {
     slider.disabled = at < 0;
     running.abort();
     overlay.show([]);
-    text.textContent = "";
+    text2.textContent = "";
     if (at < 0) return;
     Object.assign(slider, { min: String(lower[at]), max: String(upper[at]) });
     slider.value = String((lower[at] + upper[at]) / 2);
     void cut();
   };
   slider.oninput = () => void cut();
-  into.replaceChildren(axis, slider, text);
+  into.replaceChildren(axis, slider, text2);
 }
 
 // source/tree.ts
@@ -1229,7 +2262,17 @@ function treePanel(into, host) {
 
 // source/main.ts
 var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
+var lookKeys = {
+  l: "lamps",
+  z: "zebra",
+  i: "isophotes",
+  h: "highlight lines",
+  c: "curvature",
+  d: "draft",
+  f: "faces"
+};
 var rest = 300;
+var slice2 = 12;
 var Viewer = class {
   constructor(facts2) {
     this.facts = facts2;
@@ -1238,97 +2281,107 @@ var Viewer = class {
     this.row = 0;
     this.white = 0;
     this.fullCurvature = 1e-3;
+    this.style = "Keiko";
     this.canvas = byId("picture");
     this.still = byId("still");
-    this.deep = new AbortController();
     this.exact = new AbortController();
     this.timer = 0;
     this.frame = 0;
-    this.stride = 1;
-    // of the frames of a drag
+    this.spent = 0;
+    // ms of work since the last frame
+    this.turn = 0;
+    // of the changes: work for an earlier one is out of date
     this.drag = null;
-    this.camera = facts2.camera;
-    this.planes = facts2.rig.planes;
+    const linked = stateOfAddress();
+    this.camera = { ...facts2.camera, ...linked?.camera };
+    this.planes = linked?.planes ?? facts2.rig.planes;
+    this.look = linked?.look ?? "lamps";
+    this.style = mouseStyles.find((style) => style === localStorage.getItem("mouse")) ?? "Keiko";
     this.picture = new Picture(this.canvas, facts2);
+    this.tracing = new Tracing(facts2.reflections, (camera) => this.picture.bufferFor(camera), (buffer) => {
+      this.picture.show(buffer);
+      this.paint();
+    }, { hidden: () => this.hidden });
+    this.gizmo = new Gizmo(this.canvas.parentElement, (move, amount, isOver) => this.moveRow(move, amount, isOver));
     this.showPanel();
     this.listen();
     window.onresize = () => this.fit();
     this.fit();
-    void this.trace(false);
+    void this.settle(true);
   }
-  /** Fetches the surfaces of the view, coarse rows first, or a small draft of it. */
-  async trace(isDraft) {
-    this.deep.abort();
-    const own = this.deep = new AbortController();
-    const camera = isDraft ? sized(this.camera, this.camera.width >> 1, this.camera.height >> 1) : this.camera;
-    const began = performance.now();
-    let isFirst = true;
+  /** Completes the picture after a change: surfaces, bent pixels, white, and after a while the exact picture. */
+  async settle(isEye) {
+    const own = ++this.turn, began = performance.now();
     try {
-      const more = `interlaced = ${!isDraft}
-reflections = ${Math.min(8, Math.max(1, this.facts.reflections))}
-${hiddenText(this.hidden)}`;
-      const reply = await ask("POST", "/deep", requestText(camera, void 0, more), own.signal);
-      await readPasses(reply, (pass) => {
-        if (own.signal.aborted) return;
-        this.picture.add(pass, camera, isFirst);
-        if (isFirst && this.white === 0) this.measure(8);
-        isFirst = false;
-        this.paint();
-      });
-      if (!isDraft) this.measure(1);
-      this.paint();
-      if (!isDraft && this.look === "lamps") this.picture.prepare({ ...this.display(), isHurried: true });
-      this.tell(`${isDraft ? "draft" : "surfaces"} in ${(performance.now() - began).toFixed(0)} ms`);
+      if (isEye && !await this.tracing.rest(this.camera)) return;
+      const taken = performance.now() - began;
+      if (!await this.refine(own)) return;
+      this.measure();
+      this.draw();
+      if (isEye) this.tell(`surfaces in ${taken.toFixed(0)} ms`);
+      keepInAddress(this.state());
+      if (this.look === "lamps") this.timer = window.setTimeout(() => void this.fetchStill(), rest);
     } catch (error) {
-      if (!own.signal.aborted) this.fail(error);
+      this.fail(error);
     }
   }
-  /** White or the scale of curvature, by every stride-th pixel. */
-  measure(stride) {
+  /** Divides bent pixels in slices of time; false if something changed meanwhile. */
+  async refine(own) {
+    cancelAnimationFrame(this.frame);
+    this.draw();
+    while (own === this.turn) {
+      if (this.picture.refine(this.display(), slice2)) return true;
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    return false;
+  }
+  /** White or the scale of curvature, by the picture as it is drawn. */
+  measure() {
     if (this.look === "curvature") this.fullCurvature = this.picture.usualCurvature();
-    if (this.look === "lamps") this.white = this.picture.whiteOf(this.display(), stride);
+    if (this.look === "lamps") this.white = this.picture.whiteOf();
   }
   display() {
-    return {
-      look: this.look,
-      planes: this.planes,
-      white: this.white || 1,
-      fullCurvature: this.fullCurvature,
-      isHurried: this.drag !== null
-    };
+    const { look, planes, fullCurvature } = this;
+    return { look, planes, white: this.white || 1, fullCurvature };
+  }
+  state() {
+    return { camera: this.camera, look: this.look, planes: this.planes === this.facts.rig.planes ? null : this.planes };
   }
   paint() {
     cancelAnimationFrame(this.frame);
     this.frame = requestAnimationFrame(() => this.drawFrame());
   }
-  /** Draws a frame; of a drag every second or fourth pixel where frames take long. */
   drawFrame() {
-    const slow = 60, fast = 12, coarsest = 4;
-    const display = this.display(), began = performance.now();
-    if (!display.isHurried || this.stride === 1) this.picture.draw(display);
-    else this.picture.drawCoarsely(display, this.stride);
-    if (!display.isHurried) return;
-    this.picture.finish();
-    const taken = performance.now() - began;
-    if (taken > slow) this.stride = Math.min(coarsest, 2 * this.stride);
-    if (taken < fast) this.stride = Math.max(1, this.stride / 2);
+    const began = performance.now();
+    this.draw();
+    this.canvas.dataset.frame = (performance.now() - began + this.spent).toFixed(1);
+    this.spent = 0;
+    if (this.white === 0) {
+      this.measure();
+      this.draw();
+    }
+  }
+  draw() {
+    this.picture.draw(this.display());
+    this.gizmo.show(this.planes[this.row], this.camera);
   }
   /** Something has moved: the exact picture is out of date, and follows at rest. */
   changed(isEye, isOver) {
+    if (!this.still.hidden) this.tell("");
     this.still.hidden = true;
     this.exact.abort();
     clearTimeout(this.timer);
-    if (isEye) void this.trace(!isOver);
+    ++this.turn;
+    const began = performance.now();
+    if (isEye && !isOver) this.tracing.move(this.camera).catch((error) => this.fail(error));
     else this.paint();
-    if (!isOver) return;
-    if (!isEye) this.measure(1);
-    if (this.look === "lamps") this.timer = window.setTimeout(() => void this.fetchStill(), rest);
+    this.spent += performance.now() - began;
+    if (isOver) void this.settle(isEye);
   }
   async fetchStill() {
     const own = this.exact = new AbortController();
     try {
-      const reply = await ask("POST", "/still", requestText(this.camera, this.planes, hiddenText(this.hidden)), own.signal);
-      const image = await createImageBitmap(await reply.blob());
+      const image = await createImageBitmap(await this.stillFile(own.signal));
       if (own.signal.aborted) return;
       Object.assign(this.still, { width: image.width, height: image.height, hidden: false });
       this.still.getContext("2d").drawImage(image, 0, 0);
@@ -1336,6 +2389,9 @@ ${hiddenText(this.hidden)}`;
     } catch (error) {
       if (!own.signal.aborted) this.fail(error);
     }
+  }
+  async stillFile(signal) {
+    return (await ask("POST", "/still", requestText(this.camera, this.planes, hiddenText(this.hidden)), signal)).blob();
   }
   /** Shows picture and still as large as the window allows, in the shape of the camera's. */
   fit() {
@@ -1347,15 +2403,14 @@ ${hiddenText(this.hidden)}`;
   listen() {
     this.canvas.onpointerdown = (event) => {
       this.canvas.setPointerCapture(event.pointerId);
-      const movesLamps = event.ctrlKey || event.metaKey;
-      this.drag = { x: event.clientX, y: event.clientY, movesLamps, pans: event.shiftKey || event.button > 0, moved: false };
+      this.drag = { x: event.clientX, y: event.clientY, action: mouseAction(this.style, event), moved: false };
     };
     this.canvas.onpointermove = (event) => this.move(event);
     this.canvas.onpointerup = (event) => {
       const { drag } = this;
       this.drag = null;
-      if (drag?.moved) this.changed(!drag.movesLamps, true);
-      else this.pick(event);
+      if (drag?.moved) this.changed(drag.action !== "lamps", true);
+      else if (event.button === 0) this.pick(event);
     };
     this.canvas.oncontextmenu = (event) => event.preventDefault();
     this.canvas.onwheel = (event) => {
@@ -1364,102 +2419,143 @@ ${hiddenText(this.hidden)}`;
       this.changed(true, false);
       this.timer = window.setTimeout(() => this.changed(true, true), rest);
     };
-    this.canvas.onkeydown = (event) => this.key(event);
+    const keys = new Map(this.keys().map((key) => [key.key, key.act]));
+    this.canvas.onkeydown = (event) => this.key(event, keys);
   }
   move(event) {
     const { drag } = this;
     if (!drag) return;
-    const x = event.clientX - drag.x, y = event.clientY - drag.y;
-    if (!drag.moved && Math.hypot(x, y) < 3) return;
+    const x = event.clientX - drag.x, y = event.clientY - drag.y, threshold = 3;
+    if (!drag.moved && Math.hypot(x, y) < threshold) return;
+    if (drag.action !== "lamps") drag.action = mouseAction(this.style, event);
+    if (drag.action === "none") return;
     Object.assign(drag, { x: event.clientX, y: event.clientY, moved: true });
-    if (drag.movesLamps) this.moveRow(x, y);
-    else if (drag.pans) this.camera = panned(this.camera, x, y);
-    else this.camera = orbited(this.camera, this.camera.target, -x / 200, -y / 200);
-    this.changed(!drag.movesLamps, false);
+    const scale = this.camera.height / this.canvas.clientHeight;
+    this.act(drag.action, x * scale, y * scale);
+    this.changed(drag.action !== "lamps", false);
   }
-  /** Moves the chosen row within its plane, as far as the pointer at the body. */
-  moveRow(x, y) {
-    const plane = this.planes[this.row];
-    if (!plane) return;
-    const { right, up } = axesOf(this.camera), far = length(difference(this.camera.target, this.camera.eye));
-    const way = scaled(sum(scaled(right, x), scaled(up, -y)), far * 2 * Math.tan(this.camera.vertical_fov * Math.PI / 360) / this.camera.height);
-    const u = unit(plane.u), v = unit(plane.v);
-    const step = sum(scaled(u, dot(way, u)), scaled(v, dot(way, v)));
-    this.planes = this.planes.map((p, i) => i === this.row ? { ...p, origin: sum(p.origin, step) } : p);
+  /** Does what a drag by pixels of the picture means. */
+  act(action, x, y) {
+    if (action === "lamps") this.edit(this.row, (plane) => dragged(plane, this.camera, x, y));
+    if (action === "pan") this.camera = panned(this.camera, x, y);
+    if (action === "zoom") this.camera = dollied(this.camera, Math.exp(y / 200));
+    if (action === "orbit") this.camera = orbited(this.camera, this.camera.target, -x / 200, -y / 200);
   }
-  key(event) {
-    const step = 10, arrows = {
-      ArrowLeft: [-step, 0],
-      ArrowRight: [step, 0],
-      ArrowUp: [0, -step],
-      ArrowDown: [0, step]
+  edit(row2, change2) {
+    this.planes = this.planes.map((plane, i) => i === row2 ? change2(plane) : plane);
+  }
+  moveRow(move, amount, isOver) {
+    this.edit(this.row, (plane) => afterMove(plane, move, amount));
+    this.changed(false, isOver);
+  }
+  keys() {
+    const views = this.views(), step2 = 50, angle = 2;
+    return [
+      ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => this.choose(look) })),
+      ...views.map(({ name, camera }, i) => ({ key: String(i), words: `view: ${name}`, act: () => this.lookFrom(camera) })),
+      { key: "n", words: "the next row of lamps", act: () => this.chooseRow((this.row + 1) % Math.max(this.planes.length, 1)) },
+      { key: "+", words: "row 50 mm along its normal", act: () => this.moveRow("normal", step2, true) },
+      { key: "-", words: "row 50 mm back", act: () => this.moveRow("normal", -step2, true) },
+      { key: "[", words: "turn the row by 2 degrees", act: () => this.moveRow("turn", angle, true) },
+      { key: "]", words: "turn the row back", act: () => this.moveRow("turn", -angle, true) },
+      { key: "p", words: "the picture as a file, with its command line", act: () => void this.savePicture() },
+      { key: "?", words: "this list", act: () => this.help() }
+    ];
+  }
+  key(event, keys) {
+    const step2 = 10, arrows = {
+      ArrowLeft: [-step2, 0],
+      ArrowRight: [step2, 0],
+      ArrowUp: [0, -step2],
+      ArrowDown: [0, step2]
     };
-    const way = arrows[event.key];
-    const look = looks2["lzc".indexOf(event.key)];
-    if (look) this.choose(look);
-    if (!way) return;
+    const way = arrows[event.key], act = keys.get(event.key);
+    if (!way && !act || event.altKey) return;
+    if (act && (event.ctrlKey || event.metaKey)) return;
     event.preventDefault();
-    if (event.ctrlKey) this.moveRow(...way);
-    else this.camera = orbited(this.camera, this.camera.target, -way[0] / 200, -way[1] / 200);
+    if (act) return act();
+    this.act(event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
     this.changed(!event.ctrlKey, true);
+  }
+  help() {
+    const words = this.keys().map(({ key, words: words2 }) => [key, words2]);
+    showDialog("Keys and mouse", [
+      ["mouse", `${mouseHelp[this.style]}; wheel zooms`],
+      ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
+      ["click", "place, normal and radii"],
+      ["arrows", "turn; with Shift pan; with Ctrl move the row"],
+      ...words
+    ]);
   }
   pick(event) {
     const box = this.canvas.getBoundingClientRect();
     const x = Math.floor((event.clientX - box.left) / box.width * this.canvas.width);
     const y = Math.floor((event.clientY - box.top) / box.height * this.canvas.height);
-    const at = this.picture.pick(x, y);
+    const at = this.picture.pick(x, y), seen = this.picture.surfaces?.camera ?? this.camera;
     if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
-    const { origin, direction } = rayOf(sized(this.camera, this.canvas.width, this.canvas.height), x + 0.5, y + 0.5);
+    const { origin, direction: direction2 } = rayOf(seen, x + 0.5, y + 0.5), place = sum(origin, scaled(direction2, at.t));
     const face = at.face > 0 ? this.facts.faces[at.face - 1] : null;
     const numbers = (v, digits) => v.map((n) => n.toFixed(digits)).join(", ");
     showPairs(byId("pick"), [
       ["face", face ? `${face.id} ${face.name}` : "ground"],
-      ["place", `${numbers(sum(origin, scaled(direction, at.t)), 2)} mm`],
+      ["place", `${numbers(place, 2)} mm`],
       ["normal", numbers(at.normal, 4)],
       ["radii", at.radii.map((r) => Math.abs(r) < 1e6 ? `${r.toPrecision(4)} mm` : "flat").join(", ")]
     ]);
   }
   choose(look) {
     this.look = look;
-    choice(byId("looks"), looks2, look, (name) => this.choose(name));
+    choice(byId("looks"), looks, look, (name) => this.choose(name));
+    if (look === "curvature") this.measure();
     this.changed(false, true);
   }
   setRig(rig) {
     this.planes = rig.planes;
-    this.row = 0;
-    this.showLamps();
+    this.chooseRow(0);
     this.changed(false, true);
   }
+  chooseRow(row2) {
+    this.row = row2;
+    this.showLamps();
+    this.gizmo.show(this.planes[row2], this.camera);
+  }
   showLamps() {
-    showRows(this.planes, this.row, (row2) => {
-      this.row = row2;
-    }, (row2, plane) => {
-      this.planes = this.planes.map((p, i) => i === row2 ? withRoom(plane) : p);
+    showRows(this.planes, this.row, (row2) => this.chooseRow(row2), (row2, plane) => {
+      this.edit(row2, () => withRoom(plane));
       this.changed(false, true);
     });
   }
-  showPanel() {
-    choice(byId("looks"), looks2, this.look, (name) => this.choose(name));
-    const views = [
+  views() {
+    return [
       { name: "opened", camera: this.facts.camera },
       ...this.facts.own_views,
       ...this.facts.views.filter(({ name }) => shownViews.includes(name))
     ];
+  }
+  showPanel() {
+    choice(byId("looks"), looks, this.look, (name) => this.choose(name));
     byId("views").replaceChildren(
-      ...views.map(({ name, camera }) => button(name, () => this.lookFrom(camera))),
+      ...this.views().map(({ name, camera }) => button(name, () => this.lookFrom(camera))),
       button("save view", () => download("view.toml", new Blob([viewText(this.camera)])))
     );
     this.showLamps();
     byId("lamp-buttons").replaceChildren(
       button("place for this view", () => void this.run("/place", async (reply) => this.setRig((await reply.json()).rig))),
-      button("save", () => void this.save()),
+      button("save", () => void this.saveRig()),
       button("open", () => this.open())
     );
+    byId("seams").replaceChildren(button("judge", () => void this.judge()));
     faultsPanel(byId("faults"), this.host());
     comparePanel(byId("compare"), this.host(), this.canvas);
     treePanel(byId("tree"), this.host());
     sectionPanel(byId("section"), this.host(), this.canvas);
-    byId("seams").replaceChildren(button("judge", () => void this.judge()));
+    byId("page").replaceChildren(
+      button("picture", () => void this.savePicture()),
+      button("copy link", () => void this.copyLink()),
+      button("keys", () => this.help()),
+      selection("mouse", mouseStyles, this.style, (style) => this.setStyle(style)),
+      selection("colours", ["light dark", "light", "dark"], localStorage.getItem("colours") ?? "light dark", showInColours)
+    );
     showFacts(this.facts);
   }
   host() {
@@ -1475,6 +2571,11 @@ ${hiddenText(this.hidden)}`;
       }
     };
   }
+  setStyle(style) {
+    this.style = style;
+    localStorage.setItem("mouse", style);
+    this.tell(mouseHelp[style]);
+  }
   lookFrom(camera) {
     this.camera = sized(camera, this.camera.width, this.camera.height);
     this.changed(true, true);
@@ -1488,8 +2589,35 @@ ${hiddenText(this.hidden)}`;
       this.fail(error);
     }
   }
-  async save() {
+  async saveRig() {
     await this.run("/rig", async (reply) => download("rig.toml", await reply.blob()));
+  }
+  /** Hands out the exact picture, or that of another look, and tells which command makes it. */
+  async savePicture() {
+    const { width, height } = this.camera, isLamps = this.look === "lamps";
+    try {
+      this.tell("making the picture");
+      download("picture.png", isLamps ? await this.stillFile() : await new Promise((use) => this.canvas.toBlob((blob) => use(blob))));
+    } catch (error) {
+      return this.fail(error);
+    }
+    const names = { isophotes: "isophote", "highlight lines": "highlight", curvature: `curvature:mean=${this.fullCurvature}` };
+    const look = isLamps ? "" : ` --look ${names[this.look] ?? this.look}`;
+    const command = `keiko render ${this.facts.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
+    showDialog("Picture", [
+      ["file", "picture.png, in your downloads"],
+      ["made by", this.look === "faces" ? "this page alone" : command],
+      ["", "save view and save write the view and the rig"]
+    ]);
+    this.tell("");
+  }
+  async copyLink() {
+    try {
+      await navigator.clipboard.writeText(linkOf(this.state()));
+      this.tell("the link is copied; it opens this view as long as the server goes on");
+    } catch {
+      showDialog("Link", [["address", linkOf(this.state())]]);
+    }
   }
   open() {
     const input = Object.assign(document.createElement("input"), { type: "file", accept: ".toml" });
@@ -1504,8 +2632,10 @@ ${hiddenText(this.hidden)}`;
   }
   async judge() {
     try {
+      this.tell("judging the seams");
       const { seams } = await (await ask("GET", "/seams")).json();
       showSeams(seams, (seam) => this.fly(seam.middle));
+      this.tell(`${seams.length} stretches of seams, the worst first`);
     } catch (error) {
       this.fail(error);
     }
@@ -1521,18 +2651,24 @@ ${hiddenText(this.hidden)}`;
     this.tell(error instanceof Error ? error.message : String(error));
   }
 };
-function withRoom(plane) {
-  const needed = (plane.lamps - 1) * plane.pitch + plane.diameter, more = needed - length(plane.v);
-  if (more <= 0) return plane;
-  const across = unit(plane.v);
-  return { ...plane, origin: sum(plane.origin, scaled(across, -more / 2)), v: scaled(across, needed) };
+function showInColours(scheme) {
+  localStorage.setItem("colours", scheme);
+  document.documentElement.style.colorScheme = scheme;
+}
+var progressTimer = 0;
+function showProgress(stage, fraction) {
+  const shown2 = byId("work"), clear = () => {
+    shown2.textContent = "";
+  };
+  clearTimeout(progressTimer);
+  shown2.textContent = fraction < 1 ? `${stage} ${Math.round(100 * fraction)} %` : "";
+  progressTimer = window.setTimeout(clear, 1e3);
 }
 async function start() {
   try {
+    showInColours(localStorage.getItem("colours") ?? "light dark");
     new Viewer(await facts());
-    await followProgress((stage, fraction) => {
-      byId("state").textContent = `${stage} ${Math.round(100 * fraction)} %`;
-    });
+    await followProgress(showProgress);
   } catch (error) {
     byId("state").textContent = error instanceof Error ? error.message : String(error);
   }

@@ -1,13 +1,14 @@
 import { Camera } from "./camera";
-import { readPasses } from "./deep_buffer";
 import { Facts } from "./facts";
 import { Host } from "./host";
 import { byId, choice, element } from "./panel";
 import { Display, Picture } from "./picture";
-import { ask, requestText } from "./server";
+import { ask } from "./server";
+import { Tracing } from "./tracing";
 
 const ways = ["new", "both", "difference"] as const;
 type Way = typeof ways[number];
+const slice = 12; // ms of work between two looks at the mouse
 
 /** The earlier revision under the same eye and lamps, over a part of the picture or subtracted. */
 class Earlier {
@@ -16,7 +17,7 @@ class Earlier {
   private traced: Camera | null = null;
   private drawn = "";
   private way: Way = "new";
-  private running = new AbortController();
+  private tracing: Tracing | null = null;
 
   constructor(private readonly host: Host, private readonly over: HTMLElement) {
     byId("still").after(this.canvas);
@@ -30,7 +31,11 @@ class Earlier {
     this.over.parentElement!.classList.toggle("comparing", way !== "new");
     if (wasShown || way === "new") return;
     const facts: Facts = await (await ask("GET", "/against/scene")).json();
-    this.picture ??= new Picture(this.canvas, facts);
+    const picture = this.picture ??= new Picture(this.canvas, facts);
+    this.tracing ??= new Tracing(facts.reflections, (camera) => picture.bufferFor(camera), (buffer) => {
+      picture.show(buffer);
+      this.draw(this.host.display());
+    }, { path: "/against/deep" });
     this.follow();
   }
 
@@ -57,20 +62,13 @@ class Earlier {
 
   private async trace(camera: Camera): Promise<void> {
     this.traced = camera;
-    this.running.abort();
-    const own = this.running = new AbortController();
-    let isFirst = true;
     try {
-      const reply = await ask("POST", "/against/deep", requestText(camera), own.signal);
-      await readPasses(reply, (pass) => {
-        if (own.signal.aborted) return;
-        this.picture!.add(pass, camera, isFirst);
-        isFirst = false;
-        this.draw(this.host.display());
-      });
+      if (!await this.tracing!.rest(camera)) return;
+      while (camera === this.traced && !this.picture!.refine(this.host.display(), slice))
+        await new Promise((resolve) => setTimeout(resolve));
       this.canvas.dataset.traced = "whole";
     } catch (error) {
-      if (!own.signal.aborted) this.host.fail(error);
+      this.host.fail(error);
     }
   }
 }

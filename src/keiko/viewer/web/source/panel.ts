@@ -32,6 +32,13 @@ export function choice(into: HTMLElement, names: readonly string[], pressed: str
   }));
 }
 
+/** A list of which one is chosen. */
+export function selection(name: string, options: readonly string[], chosen: string, choose: (option: string) => void): HTMLElement {
+  const list = element("select", options.map((option) => element("option", option, { selected: option === chosen })), { ariaLabel: name });
+  list.onchange = () => choose((list as HTMLSelectElement).value);
+  return element("label", [new Text(`${name} `), list]);
+}
+
 /** Name and value, as entries of a list. */
 export function showPairs(list: HTMLElement, pairs: [string, string][]): void {
   list.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));

@@ -3,15 +3,17 @@ import { Facts, Plane, Rig } from "./facts";
 
 /** The token comes in the address's fragment once, and stays for reloads of this page. */
 function tokenOf(): string {
-  const given = new URLSearchParams(location.hash.slice(1)).get("token");
+  const fragment = new URLSearchParams(location.hash.slice(1)), given = fragment.get("token");
   if (given) {
     sessionStorage.setItem("token", given);
-    history.replaceState(null, "", location.pathname);
+    fragment.delete("token");
+    history.replaceState(null, "", `#${fragment}`);
   }
   return sessionStorage.getItem("token") ?? "";
 }
 
-const headers = { "X-Keiko-Token": tokenOf(), "X-Keiko-Client": `page-${crypto.randomUUID()}` };
+export const token = tokenOf();
+const headers = { "X-Keiko-Token": token, "X-Keiko-Client": `page-${crypto.randomUUID()}` };
 
 /** Sends a request; throws an error with the server's own words. */
 export async function ask(method: string, path: string, body?: string, signal?: AbortSignal): Promise<Response> {

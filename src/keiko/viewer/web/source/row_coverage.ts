@@ -1,0 +1,81 @@
+import { endCoverage } from "./end_coverage";
+import { PathSet } from "./path_set";
+import { rayNumbers } from "./ray";
+import { grown, RayList } from "./ray_list";
+import { RowFrame } from "./row_frame";
+import { coverage, imageNumbers, isAtEnd, project } from "./row_image";
+import { difference, dot } from "./vector";
+
+/** What a row covers of the pixels of a list of rays, kept until row or rays change. */
+export class RowCoverage {
+  images = new Float32Array(imageNumbers);
+  covered = new Float32Array(1); // 0 to 1, by ray
+  private met = new Uint32Array(1); // the rays that meet the plane before another surface
+  private metCount = 0;
+  private projected = 0;
+  private isCurrent = false;
+  private base: RowFrame; // on whose plane the images are
+  private du = 0;
+  private dv = 0;
+
+  /** `pathOf`: paths by ray; null: a ray's number is that of its path. */
+  constructor(private readonly rays: RayList, private readonly pathOf: (() => Uint32Array) | null, private row: RowFrame) {
+    this.base = row;
+  }
+
+  /** Takes the row as it is now. One that moved in its plane, or has other lamps, needs no new images. */
+  set(row: RowFrame): void {
+    if (!row.hasPlaneOf(this.base) || row.isRound !== this.base.isRound) this.base = row, this.projected = this.metCount = 0;
+    this.row = row;
+    this.isCurrent = false;
+    const step = difference(row.origin, this.base.origin);
+    this.du = dot(row.u, step), this.dv = dot(row.v, step);
+  }
+
+  /** Offset of the row along its lamps and across them since the images were made, mm. */
+  get moved(): [number, number] {
+    return [this.du, this.dv];
+  }
+
+  /** Brings `images` and `covered` up to date; adds the paths that the row covers otherwise than before. */
+  update(changed: PathSet): void {
+    if (this.isCurrent && this.projected === this.rays.count) return;
+    this.images = grown(this.images, imageNumbers * this.rays.count);
+    this.covered = grown(this.covered, this.rays.count);
+    this.met = grown(this.met, this.rays.count);
+    const pathOf = this.pathOf?.() ?? null;
+    this.projectAll(changed, pathOf);
+    this.coverAll(changed, pathOf);
+    this.isCurrent = true;
+  }
+
+  private projectAll(changed: PathSet, pathOf: Uint32Array | null): void {
+    const { rays: { numbers, ways, count }, row, images, covered, met } = this;
+    for (let i = this.projected; i < count; ++i) {
+      project(row, numbers, rayNumbers * i, images, imageNumbers * i);
+      const t = images[imageNumbers * i];
+      if (t > 0 && t <= ways[i]) met[this.metCount++] = i;
+      else if (covered[i] > 0) covered[i] = 0, changed.add(pathOf ? pathOf[i] : i);
+    }
+    this.projected = count;
+  }
+
+  private coverAll(changed: PathSet, pathOf: Uint32Array | null): void {
+    const { row, images, covered, met, metCount, du, dv } = this;
+    for (let k = 0; k < metCount; ++k) {
+      const i = met[k], c = Math.fround(coverage(row, images, imageNumbers * i, du, dv));
+      if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
+    }
+  }
+
+  /** Makes `covered` exact at the ends of lamps. */
+  finish(changed: PathSet): void {
+    const { rays: { numbers }, row, images, covered, met, metCount, du, dv } = this, pathOf = this.pathOf?.() ?? null;
+    for (let k = 0; k < metCount; ++k) {
+      const i = met[k];
+      if (!isAtEnd(row, images, imageNumbers * i, du, dv)) continue;
+      const c = Math.fround(endCoverage(row, numbers, rayNumbers * i));
+      if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
+    }
+  }
+}
