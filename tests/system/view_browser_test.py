@@ -298,7 +298,6 @@ class Panel(Page):
         whole = self.pixels(self.canvas())
 
         def shows(condition):
-            self.wait_for(lambda: "surfaces in" in self.state() or "exact" in self.state())
             self.wait_for(lambda: condition(differences(self.pixels(self.canvas()), whole)[1]))
         self.browser.execute_script("arguments[0].scrollIntoView()", self.browser.find_element(By.ID, "tree"))
         self.press("list")
