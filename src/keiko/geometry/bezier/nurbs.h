@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/vec.h"
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A B-spline curve with homogeneous control points `P` (Vec3 for plane curves, Vec4 in space).
 /// Not periodic; knots are written out with their multiplicity: points + degree + 1 of them.
@@ -29,8 +30,8 @@ struct BezierSpan {
 template <class P>
 std::vector<BezierSpan<P>> bezier_spans(NurbsCurve<P> curve);
 
-extern template std::vector<BezierSpan<Vec3>> bezier_spans(NurbsCurve<Vec3>);
-extern template std::vector<BezierSpan<Vec4>> bezier_spans(NurbsCurve<Vec4>);
+extern template std::vector<BezierSpan<Vec3>> bezier_spans(NurbsCurve<Vec3>); ///< plane curves
+extern template std::vector<BezierSpan<Vec4>> bezier_spans(NurbsCurve<Vec4>); ///< in space
 
 /// A B-spline surface; u is the outer index of `points`.
 struct NurbsSurface {
