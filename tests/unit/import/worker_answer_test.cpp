@@ -70,9 +70,9 @@ TEST(WorkerAnswer, LinesThatAreNoneAreDamage) {
     for (const std::string share : {"nan", "inf", "-0.1", "1.1", "1e999", "", "0.5 "})
         EXPECT_EQ(outcome_of("progress " + share + "\n"),
                   damaged + "\"progress " + share + "\" is no line of it");
-    EXPECT_EQ(outcome_of("progress 0.5\n"), damaged + "it ends before the model");
-    EXPECT_EQ(outcome_of("model"), damaged + "it ends before the model");
-    EXPECT_EQ(outcome_of("error"), damaged + "it ends before the model");
+    EXPECT_EQ(outcome_of("progress 0.5\n"), damaged + "it ends before the result");
+    EXPECT_EQ(outcome_of("model"), damaged + "it ends before the result");
+    EXPECT_EQ(outcome_of("error"), damaged + "it ends before the result");
 }
 
 TEST(WorkerAnswer, AWorkerThatNeverStopsWritingIsCutOff) {
@@ -81,7 +81,7 @@ TEST(WorkerAnswer, AWorkerThatNeverStopsWritingIsCutOff) {
     const std::string model = serialised_model();
     EXPECT_EQ(outcome_of("model\n" + model, model.size()), "model");
     EXPECT_EQ(outcome_of("model\n" + model, model.size() - 1),
-              damaged + "its model is larger than the memory it may use");
+              damaged + "its result is larger than the memory it may use");
 }
 
 } // namespace

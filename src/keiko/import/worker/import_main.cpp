@@ -1,22 +1,29 @@
 #include "keiko/base/error.h"
+#include "keiko/files/model/curve_serialization.h"
 #include "keiko/files/model/model_serialization.h"
 #include "keiko/import/cad/cad_import.h"
+#include "keiko/import/cad/curve_files.h"
 #include "keiko/import/subdivision/subdivision_model.h"
 
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <optional>
 #include <string>
+#include <vector>
 
 // keiko-import FILE FORMAT MEMORY_LIMIT THREADS, started by load_model: reads a CAD file with
-// OpenCASCADE or a cage with OpenSubdiv and answers on file descriptor 3 (stdout when that is
+// OpenCASCADE or a cage with OpenSubdiv. It answers on file descriptor 3 (stdout when that is
 // closed), as worker_answer.h says.
-// With the one argument `versions` it answers with a line for each of the two libraries.
+// With `write-curves` for FILE it answers with a STEP or IGES file of the serialised curves on
+// stdin. With `read-curves` before FILE it answers with the serialised curves of a file. With the
+// one argument `versions` it answers with a line for each of the two libraries.
 
 namespace {
 
@@ -54,20 +61,64 @@ SurfaceModel read(const std::string& file, ModelFormat format, const Job& job) {
                                        : cad::import_cad_file(file, format, job);
 }
 
-void answer(std::FILE* out, const std::string& file, const std::string& format, int threads) {
+/// Request of the program that started this.
+struct Request {
+    enum class Kind { model, write_curves, read_curves };
+    Kind kind = Kind::model;
+    std::string file; ///< to read
+    std::string format, memory_limit;
+    int threads = 0;
+};
+
+/// The whole of stdin.
+std::string input() {
+    std::string bytes;
+    std::array<char, 1 << 16> piece;
+    while (const std::size_t count = std::fread(piece.data(), 1, piece.size(), stdin))
+        bytes.append(piece.data(), count);
+    return bytes;
+}
+
+void answer_with_curves(std::FILE* out, const Request& request) {
+    const ModelFormat format = format_named(request.format);
+    const std::string bytes =
+        request.kind == Request::Kind::read_curves
+            ? serialize(cad::read_curves(request.file, format))
+            : cad::curve_file(deserialize_curves(input(), "keiko-import"), format);
+    std::fputs("curves\n", out);
+    std::fwrite(bytes.data(), 1, bytes.size(), out);
+}
+
+void answer(std::FILE* out, const Request& request) {
+    if (request.kind != Request::Kind::model) return answer_with_curves(out, request);
     double told = 0;
     Job job;
-    job.threads = threads;
+    job.threads = request.threads;
     job.progress = [&](const Progress& progress) {
         if (progress.fraction < told + 0.02) return;
         told = progress.fraction;
         std::fprintf(out, "progress %.3f\n", told);
         std::fflush(out);
     };
-    const SurfaceModel model = read(file, format_named(format), job);
+    const SurfaceModel model = read(request.file, format_named(request.format), job);
     std::fputs("model\n", out);
     serialize(model,
               [&](std::string_view piece) { std::fwrite(piece.data(), 1, piece.size(), out); });
+}
+
+/// The request of the command line; nullopt for another one.
+std::optional<Request> request_of(std::vector<std::string> words) {
+    Request request;
+    if (words.size() == 5 && words[0] == "read-curves") {
+        request.kind = Request::Kind::read_curves;
+        words.erase(words.begin());
+    } else if (words.size() == 4 && words[0] == "write-curves") {
+        request.kind = Request::Kind::write_curves;
+    }
+    if (words.size() != 4) return std::nullopt;
+    request.file = words[0], request.format = words[1], request.memory_limit = words[2];
+    request.threads = std::atoi(words[3].c_str());
+    return request;
 }
 
 int tell_versions() {
@@ -80,15 +131,19 @@ int tell_versions() {
 
 int main(int argc, char** argv) {
     if (argc == 2 && std::string(argv[1]) == "versions") return tell_versions();
-    if (argc != 5) {
-        std::fputs("usage: keiko-import FILE STEP|IGES|BREP|OBJ MEMORY_LIMIT THREADS\n", stderr);
+    const auto request = request_of({argv + 1, argv + argc});
+    if (!request) {
+        std::fputs(
+            "usage: keiko-import [read-curves] FILE STEP|IGES|BREP|OBJ MEMORY_LIMIT THREADS\n"
+            "       keiko-import write-curves STEP|IGES MEMORY_LIMIT THREADS\n",
+            stderr);
         return 2;
     }
-    limit_resources(argv[3]);
+    limit_resources(request->memory_limit.c_str());
     std::FILE* out = answer_stream();
     int code = 0;
     try {
-        answer(out, argv[1], argv[2], std::atoi(argv[4]));
+        answer(out, *request);
     } catch (const Error& e) {
         if (!e.where().empty()) std::fprintf(out, "where %s\n", shortened(e.where()).c_str());
         std::fprintf(out, "error %s\n", shortened(e.reason()).c_str());

@@ -23,7 +23,7 @@ std::optional<double> share_of(std::string_view text) {
 } // namespace
 
 void WorkerAnswer::receive(std::string_view bytes) {
-    while (!has_model_ && !bytes.empty()) {
+    while (!has_result_ && !bytes.empty()) {
         const std::size_t end = bytes.find('\n');
         line_.append(bytes.substr(0, end));
         if (line_.size() > longest_line) fail(in_quotes(line_) + " is too long a line");
@@ -32,16 +32,16 @@ void WorkerAnswer::receive(std::string_view bytes) {
         take_line();
         line_.clear();
     }
-    if (most_bytes_ > 0 && bytes.size() > most_bytes_ - model_.size())
-        fail("its model is larger than the memory it may use");
-    model_.append(bytes);
+    if (most_bytes_ > 0 && bytes.size() > most_bytes_ - result_.size())
+        fail("its result is larger than the memory it may use");
+    result_.append(bytes);
 }
 
 void WorkerAnswer::take_line() {
     const std::string_view line = line_;
     constexpr std::string_view progress = "progress ", error = "error ", where = "where ";
-    if (line == "model") {
-        has_model_ = true;
+    if (line == "model" || line == "curves") {
+        has_result_ = true;
     } else if (line.starts_with(error)) {
         reason_ = shortened(line.substr(error.size()));
     } else if (line.starts_with(where)) {
@@ -54,10 +54,14 @@ void WorkerAnswer::take_line() {
     }
 }
 
-SurfaceModel WorkerAnswer::model() const {
+const std::string& WorkerAnswer::result() const {
     if (!reason_.empty()) throw Error(file_, where_, reason_);
-    if (!has_model_) fail("it ends before the model");
-    return deserialize(model_, file_);
+    if (!has_result_) fail("it ends before the result");
+    return result_;
+}
+
+SurfaceModel WorkerAnswer::model() const {
+    return deserialize(result(), file_);
 }
 
 void WorkerAnswer::fail(const std::string& reason) const {

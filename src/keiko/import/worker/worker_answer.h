@@ -10,23 +10,26 @@
 namespace keiko {
 
 /// Parser of the answer of a worker as it comes in. The answer is lines "progress FRACTION", then
-/// "error REASON" or "model". A line "where PLACE" comes before the reason if the place is known.
-/// The serialised model follows "model" up to the end. The worker is not trusted: whatever it
-/// writes, nothing but an Error naming `file` comes of it.
+/// "error REASON", "model" or "curves". A line "where PLACE" comes before the reason if the place
+/// is known. The bytes of the result follow "model" or "curves" up to the end: a serialised model,
+/// serialised curves, or a file of curves. The worker is not trusted: whatever it writes, nothing
+/// but an Error naming `file` comes of it.
 class WorkerAnswer {
 public:
-    /// `most_bytes` of a model are taken; 0: any number. Progress goes to `job` as "import".
+    /// `most_bytes` of a result are taken; 0: any number. Progress goes to `job` as "import".
     WorkerAnswer(std::string file, std::uint64_t most_bytes, const Job& job)
         : file_(std::move(file)), most_bytes_(most_bytes), job_(job) {}
 
-    /// Throws Error for a line that is none of those, and for a model beyond `most_bytes`.
+    /// Throws Error for a line that is none of those, and for a result beyond `most_bytes`.
     void receive(std::string_view bytes);
 
-    /// Whether the model, or a part of it, has come.
-    bool has_model() const { return has_model_; }
+    /// Whether the result, or a part of it, has come.
+    bool has_result() const { return has_result_; }
     /// Fault of the file that the worker reports; empty: none.
     const std::string& reason() const { return reason_; }
-    /// Throws Error with the worker's reason, or when there is no sound model.
+    /// Bytes of the result. Throws Error with the worker's reason, or when there is no result.
+    const std::string& result() const;
+    /// The result as a model. Throws Error as result(), or when it is no sound model.
     SurfaceModel model() const;
 
 private:
@@ -36,8 +39,8 @@ private:
     std::string file_;
     std::uint64_t most_bytes_;
     const Job& job_;
-    std::string line_, reason_, where_, model_;
-    bool has_model_ = false;
+    std::string line_, reason_, where_, result_;
+    bool has_result_ = false;
 };
 
 } // namespace keiko
