@@ -2,6 +2,7 @@
 import csv
 import json
 import math
+import re
 import shutil
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -252,6 +253,18 @@ class Check(KeikoTest):
             if row["curve"] == "0":
                 self.assertAlmostEqual(float(row["y"]), 120, delta=1e-6)
         self.assertEqual(len({row["curve"] for row in rows}), len(combs["curves"]))
+
+    def test_sections_and_inflections_go_out_as_curves(self):
+        self.succeed("check", surface("hood.step"), "--section", "y=120", "--curves", "c.step",
+                     "--json", "c.json", "-q")
+        step = (self.folder / "c.step").read_text().replace("\n", "")
+        self.assertIn("'section y=120, within ", step)
+        report = json.loads((self.folder / "c.json").read_text())
+        inflections = sum(len(face["inflections"]) for face in report["faces"])
+        self.assertGreater(inflections, 0)
+        names = re.findall(r"PRODUCT\( *'([^']*)'", step)
+        self.assertEqual(len([n for n in names if ": inflection, within " in n]), inflections)
+        self.assertEqual(len([n for n in names if n.startswith("section y=120")]), 1)
 
     def test_a_section_that_misses_the_body_is_warned_about(self):
         hood = surface("hood.step")

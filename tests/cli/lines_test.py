@@ -2,8 +2,11 @@
 import csv
 import json
 import os
+import re
 import subprocess
 import unittest
+
+import numpy
 
 from keiko_process import ASLANT, SOURCE, KeikoTest, surface
 
@@ -33,6 +36,27 @@ class Lines(KeikoTest):
         self.lines("--view", "high-front", "--csv", str(pipe))
         self.assertTrue(reader.stdout.read().startswith("view,line,"))
         self.assertTrue(pipe.is_fifo())
+
+    def test_curves_go_out_as_step_and_iges_with_their_verdicts(self):
+        found = self.lines("--view", "high-front", "--curves", "lines.step", "--curves", "lines.igs")
+        step = (self.folder / "lines.step").read_text().replace("\n", "")
+        places = numpy.array([[float(x) for x in m.split(",")] for m in
+                              re.findall(r"CARTESIAN_POINT\('',\(([^)]*)\)\)", step)
+                              if m.count(",") == 2])
+        for number, line in enumerate(found["lines"]):
+            self.assertIn(f"'reflection line {number}: ", step)
+            for end in line["pieces"][0]["points"][0], line["pieces"][-1]["points"][-1]:
+                self.assertLess(numpy.abs(places - end).max(axis=1).min(), 1e-9)
+        iges = (self.folder / "lines.igs").read_text().replace("\n", "")
+        self.assertEqual(len(re.findall(r"PRODUCT\( *'", step)), len(found["lines"]))
+        self.assertIn("B_SPLINE_CURVE_WITH_KNOTS", step)
+        self.assertGreaterEqual(iges.count("     126 "), len(found["lines"]))
+
+    def test_curves_of_another_kind_are_refused_before_the_work(self):
+        run = self.keiko("lines", HOLE, "--rig", TUNNEL, "-o", "l.json", "--curves", "l.obj", "-q")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("--curves: 'l.obj' ends in none of .step, .stp, .iges and .igs", run.stderr)
+        self.assertEqual(self.content(), [])
 
     def test_looks_are_asked_for_by_name(self):
         for look in "foo", "1":

@@ -19,6 +19,7 @@ struct CheckArguments {
     std::string preset;
     InspectionFiles files;
     CombArguments combs;
+    CurveFilesOption curves;
     ProfileArguments profiles;
     SymmetryOption symmetry;
     AcceptedOption accepted;
@@ -27,11 +28,14 @@ struct CheckArguments {
 
 void withdraw_earlier(const CheckArguments& arguments) {
     arguments.files.require_places(arguments.models.inputs);
-    arguments.combs.require_places();
+    arguments.curves.require_places();
+    arguments.combs.require_places(!arguments.curves.files().empty());
     arguments.profiles.require_places();
     ResultPlaces places{.files = arguments.files.paths(), .folders = {}};
     const auto& combs = arguments.combs.files();
     places.files.insert(places.files.end(), combs.begin(), combs.end());
+    const auto& curves = arguments.curves.files();
+    places.files.insert(places.files.end(), curves.begin(), curves.end());
     const auto& profiles = arguments.profiles.files();
     places.files.insert(places.files.end(), profiles.begin(), profiles.end());
     std::vector<std::filesystem::path> inputs = arguments.models.inputs;
@@ -39,6 +43,19 @@ void withdraw_earlier(const CheckArguments& arguments) {
     require_distinct(places.files, inputs);
     inputs.emplace_back(arguments.preset);
     withdraw_results(places, inputs);
+}
+
+/// Files of the sections, the iso-curves and the inflections.
+void add_curves(FileTransaction& outputs, const CheckArguments& arguments,
+                const CheckResult& result, const Job& job) {
+    if (arguments.curves.files().empty()) return;
+    const CheckOptions& options = arguments.options;
+    const std::span<const CombCurve> combs = result.combs
+                                                 ? std::span<const CombCurve>(result.combs->curves)
+                                                 : std::span<const CombCurve>();
+    const CurveSet curves = inspection_curves(result.inspection, combs, options.combs.chord_error);
+    for (const auto& file : arguments.curves.files())
+        outputs.add(file, curve_file(curves, file, options.load, job));
 }
 
 int check(CheckArguments arguments, const Job& job) {
@@ -65,6 +82,7 @@ int check(CheckArguments arguments, const Job& job) {
     arguments.files.add_to(outputs, inspection);
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
     arguments.profiles.add_to(outputs, result);
+    add_curves(outputs, arguments, result, job);
     outputs.write();
     if (result.combs) log_warnings(result.combs->remarks);
     print(inspection_text(inspection));
@@ -95,6 +113,9 @@ void add_check(CLI::App& app, Session& session) {
     arguments->accepted.add_to(command);
     arguments->scope.add_to(command);
     arguments->combs.add_files(command);
+    arguments->curves.add_to(command,
+                             "STEP or IGES file to write sections, iso-curves and "
+                             "inflections of faces to, as B-splines; may repeat");
     arguments->profiles.add_to(command);
     add_load_options(command, arguments->models);
     command.footer(

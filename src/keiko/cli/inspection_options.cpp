@@ -1,6 +1,7 @@
 #include "keiko/cli/inspection_options.h"
 
 #include "keiko/api/model.h"
+#include "keiko/api/results.h"
 #include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/cli/outputs.h"
@@ -51,9 +52,9 @@ CombOptions CombArguments::options(double join) const {
     return options;
 }
 
-void CombArguments::require_places() const {
+void CombArguments::require_places(bool as_curves) const {
     const bool asked = !planes_.empty() || iso_curves_ > 0;
-    if (asked && files_.empty())
+    if (asked && files_.empty() && !as_curves)
         throw Error("", "--combs", "names no file for the combs of --section and --iso-curves");
     if (!asked && !files_.empty()) throw Error("", "--combs", "needs --section or --iso-curves");
     for (const std::filesystem::path& file : files_) {
@@ -78,6 +79,21 @@ void CombArguments::add_to(FileTransaction& batch, const Combs& combs) const {
                 named.replace_filename(file.stem().string() + "-" + picture.name + ".svg");
             batch.add(named, picture.svg);
         }
+    }
+}
+
+void CurveFilesOption::add_to(CLI::App& command, const char* text) {
+    command.add_option("--curves", files_, text)->allow_extra_args(false)->check(not_empty());
+}
+
+void CurveFilesOption::require_places() const {
+    for (const fs::path& file : files_) {
+        require_place_for_file(file);
+        if (std::count(files_.begin(), files_.end(), file) > 1)
+            throw Error("", "--curves", "'" + file.string() + "' is asked for twice");
+        if (!is_curve_file(file))
+            throw Error("", "--curves",
+                        "'" + file.string() + "' ends in none of .step, .stp, .iges and .igs");
     }
 }
 

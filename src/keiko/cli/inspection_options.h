@@ -25,8 +25,9 @@ public:
     /// Options for comb_curves. Throws Error for an invalid plane.
     CombOptions options(double join) const;
     /// Throws Error if curves are requested without a file, or the reverse, and for a file that
-    /// cannot be written or whose ending names no format.
-    void require_places() const;
+    /// cannot be written or whose ending names no format. `as_curves`: --curves names files of
+    /// them.
+    void require_places(bool as_curves = false) const;
     /// The files that the options name; pictures of several planes have other names.
     const std::vector<std::filesystem::path>& files() const { return files_; }
     /// Adds every requested file; pictures of several planes are FILE-PLANE.svg.
@@ -35,6 +36,22 @@ public:
 private:
     std::vector<std::string> planes_;
     int iso_curves_ = 0;
+    std::vector<std::filesystem::path> files_;
+};
+
+/// The STEP and IGES files to which curves are written.
+class CurveFilesOption {
+public:
+    /// Adds --curves to a command, with its help.
+    void add_to(CLI::App& command, const char* text);
+
+    /// Throws Error for a file that cannot be written, is requested twice or whose ending names no
+    /// format.
+    void require_places() const;
+    /// The files that the option names.
+    const std::vector<std::filesystem::path>& files() const { return files_; }
+
+private:
     std::vector<std::filesystem::path> files_;
 };
 

@@ -5,6 +5,7 @@
 #include "keiko/base/job_steps.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/text.h"
+#include "keiko/cli/inspection_options.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/scope_options.h"
@@ -21,6 +22,7 @@ struct LinesArguments {
     SceneArguments scene;
     LinesOptions options;
     std::filesystem::path rig, output, csv, crossings, inflections, picture;
+    CurveFilesOption curves;
     std::string preset;
     std::size_t rows = 20; ///< of the table
     ScopeOptions scope;
@@ -68,6 +70,7 @@ void require_outputs(const LinesArguments& arguments) {
     for (const auto& path : {arguments.output, arguments.csv, arguments.crossings,
                              arguments.inflections, arguments.picture})
         if (!path.empty()) require_place_for_file(path);
+    arguments.curves.require_places();
     if (!arguments.picture.empty() && arguments.picture.extension() != ".png")
         throw Error(arguments.picture.string(), "", "--picture makes a .png");
 }
@@ -79,6 +82,9 @@ void write(const LinesArguments& arguments, const Scene& scene, const LineList& 
             write_png(picture_of(arguments.picture, list, list.views[view]),
                       lines_picture(scene, arguments.options, list, view, job));
     write_text_file(arguments.output, lines_json(list, scene.model));
+    for (const auto& file : arguments.curves.files())
+        write_text_file(file,
+                        curve_file(line_curves(list), file, load_options(arguments.scene), job));
     if (!arguments.csv.empty()) write_text_file(arguments.csv, lines_csv(list, scene.model));
     if (!arguments.crossings.empty()) write_text_file(arguments.crossings, crossings_csv(list));
     if (!arguments.inflections.empty())
@@ -90,10 +96,10 @@ void withdraw_earlier(const LinesArguments& arguments) {
     inputs.insert(inputs.end(), arguments.options.views.begin(), arguments.options.views.end());
     inputs.push_back(arguments.rig);
     inputs.emplace_back(arguments.preset);
-    withdraw_results({.files = {arguments.output, arguments.csv, arguments.crossings,
-                                arguments.inflections, arguments.picture},
-                      .folders = {}},
-                     inputs);
+    std::vector<std::filesystem::path> outputs = arguments.curves.files();
+    outputs.insert(outputs.end(), {arguments.output, arguments.csv, arguments.crossings,
+                                   arguments.inflections, arguments.picture});
+    withdraw_results({.files = outputs, .folders = {}}, inputs);
 }
 
 int lines(LinesArguments arguments, const Job& job) {
@@ -156,6 +162,9 @@ void add_lines(CLI::App& app, Session& session) {
                        "CSV file of the crossings of lines and seams to write as well");
     command.add_option("--inflections", arguments->inflections,
                        "CSV file of the places where lines turn over to write as well");
+    arguments->curves.add_to(command,
+                             "STEP or IGES file of the lines as B-splines to write as "
+                             "well; may repeat");
     command.add_option("--picture", arguments->picture,
                        "PNG file of the stripes, lines and crossings to write as well");
     command.add_option("--rows", arguments->rows, "worst crossings to print")

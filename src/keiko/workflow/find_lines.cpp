@@ -5,6 +5,7 @@
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
+#include "keiko/report/content/verdict_color.h"
 #include "keiko/workflow/version.h"
 #include "keiko/workflow/zoned_limits.h"
 
@@ -18,15 +19,8 @@ std::vector<CPlane> planes_of(const LightRig& rig) {
     return planes;
 }
 
-const Rgb line_color(0.1, 0.75, 1), pass_color(0.2, 0.85, 0.25), undecided_color(1, 0.75, 0.1),
-    fail_color(1, 0.15, 0.1), not_judged_color(0.75, 0.75, 0.75);
+const Rgb line_color(0.1, 0.75, 1);
 constexpr std::size_t numbered = 9;
-
-Rgb color_of(const std::optional<Verdict>& verdict) {
-    if (!verdict) return not_judged_color;
-    if (*verdict == Verdict::fail) return fail_color;
-    return *verdict == Verdict::pass ? pass_color : undecided_color;
-}
 
 void draw(Overlay& overlay, const Camera& camera, const SurfaceLine& piece) {
     Polyline drawn{.points = {}, .color = line_color, .width = 1};
@@ -39,7 +33,7 @@ void mark(Overlay& overlay, const Camera& camera, const LineCrossing& crossing, 
     const auto pixel = project(camera, crossing.place);
     if (!pixel) return;
     const bool bad = crossing.verdict && *crossing.verdict != Verdict::pass;
-    Marker marker{.at = *pixel, .color = color_of(crossing.verdict), .radius = 2.5};
+    Marker marker{.at = *pixel, .color = verdict_color(crossing.verdict), .radius = 2.5};
     if (bad && rank <= numbered) marker.label = std::to_string(rank), marker.radius = 8;
     overlay.markers.push_back(std::move(marker));
 }
