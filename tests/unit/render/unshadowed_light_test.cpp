@@ -1,6 +1,7 @@
 #include "keiko/render/lighting/unshadowed_light.h"
 
 #include "keiko/film/tone_mapping.h"
+
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>
 
