@@ -105,11 +105,6 @@ Box2 root_box(const Vec2& uv, const Vec2& error) {
 
 } // namespace
 
-HitPacket& SurfaceInteraction::packet_of_thread() {
-    thread_local HitPacket packet;
-    return packet;
-}
-
 void SurfaceInteraction::announce(const TracedModel& model, std::uint32_t sub_patch) {
     const SubPatchSet& sub_patches = model.sub_patches;
     const PackedSubPatch& hot = model.hot[sub_patch];

@@ -65,8 +65,6 @@ private:
         }
     };
 
-    /// Cleared once a thread: to clear it for each single hit takes longer than a tenth of it.
-    static HitPacket& packet_of_thread();
     /// Makes room in a group: what it holds is evaluated beside others.
     void mix(Group& group);
     void evaluate(Group& group);
@@ -78,7 +76,7 @@ private:
     double position_bound(std::size_t lane, const SubPatch& sub_patch,
                           const PartPlacement& placement) const;
 
-    HitPacket& block_ = packet_of_thread();
+    HitPacket block_;
     std::array<Group, 8> by_sub_patch_; ///< each of one sub-patch; by the last digits of its number
     Group mixed_;
     const TracedModel& model_;
