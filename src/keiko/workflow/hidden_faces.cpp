@@ -1,7 +1,6 @@
 #include "keiko/workflow/hidden_faces.h"
 
 #include <algorithm>
-#include <array>
 
 namespace keiko {
 namespace {
@@ -40,32 +39,7 @@ void require_faces(const SurfaceModel& model, std::span<const std::uint32_t> ids
 
 Scene without_faces(const Scene& scene, std::span<const std::uint32_t> ids, const Job& job) {
     require_faces(scene.model, ids);
-    constexpr TracerOptions tracing{.second_derivatives = true};
-    SurfaceModel model = without(scene.model, hidden_among(scene.model, ids));
-    Tracer tracer(model, tracing, job);
-    Scene shown{.model = std::move(model),
-                .materials = scene.materials,
-                .tracer = std::move(tracer),
-                .occluders = {},
-                .camera = scene.camera,
-                .view = scene.view,
-                .rig = scene.rig,
-                .background = scene.background,
-                .width = scene.width,
-                .height = scene.height,
-                .max_depth = scene.max_depth,
-                .min_weight = scene.min_weight,
-                .inputs = scene.inputs};
-    std::optional<SurfaceModel> grounded;
-    if (scene.surroundings) {
-        grounded = merge(std::array{
-            shown.model, ground_plane(scene.surroundings->ground, scene.tracer.bounds())});
-        shown.surroundings = Surroundings{scene.surroundings->ground, scene.surroundings->materials,
-                                          Tracer(*grounded, tracing, job)};
-    }
-    if (scene.occluders)
-        shown.occluders.emplace(grounded ? *grounded : shown.model, shown.seen(), job);
-    return shown;
+    return scene_of_body(scene, without(scene.model, hidden_among(scene.model, ids)), job);
 }
 
 } // namespace keiko

@@ -23,20 +23,26 @@ struct Traced {
     std::optional<Occluders> occluders{};
 };
 
+/// `around`: the ground goes around it; nullopt: around the body.
 Traced traced(const SurfaceModel& body, const std::vector<Material>& materials,
-              const std::optional<GroundSpec>& ground, const SceneOptions& options,
-              const Job& job) {
+              const std::optional<GroundSpec>& ground, const SceneOptions& options, const Job& job,
+              const std::optional<Box3>& around = {}) {
     const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
     Traced all{Tracer(body, tracing, job)};
     if (!ground) {
         if (options.shadows) all.occluders.emplace(body, all.tracer, job);
         return all;
     }
-    const SurfaceModel seen = on_ground(body, all.tracer.bounds(), ground->z);
+    const SurfaceModel seen = on_ground(body, around.value_or(all.tracer.bounds()), ground->z);
     all.surroundings = Surroundings{ground->z, materials, Tracer(seen, tracing, job)};
     all.surroundings->materials.push_back(ground->material);
     if (options.shadows) all.occluders.emplace(seen, all.surroundings->tracer, job);
     return all;
+}
+
+std::optional<GroundSpec> ground_of(const Scene& scene) {
+    if (!scene.surroundings) return {};
+    return GroundSpec{scene.surroundings->ground, scene.surroundings->materials.back()};
 }
 
 } // namespace
@@ -72,14 +78,32 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {
     for (Instance& instance : scene.model.instances)
         instance.transform = motion * instance.transform;
-    std::optional<GroundSpec> ground;
-    if (scene.surroundings)
-        ground = {scene.surroundings->ground, scene.surroundings->materials.back()};
-    Traced all = traced(scene.model, scene.materials, ground, options, job);
+    Traced all = traced(scene.model, scene.materials, ground_of(scene), options, job);
     scene.tracer = std::move(all.tracer);
     scene.surroundings = std::move(all.surroundings);
     scene.occluders = std::move(all.occluders);
     return scene;
+}
+
+Scene scene_of_body(const Scene& scene, SurfaceModel body, const Job& job) {
+    SceneOptions options;
+    options.shadows = scene.occluders.has_value();
+    Traced all =
+        traced(body, scene.materials, ground_of(scene), options, job, scene.tracer.bounds());
+    return {.model = std::move(body),
+            .materials = scene.materials,
+            .tracer = std::move(all.tracer),
+            .occluders = std::move(all.occluders),
+            .camera = scene.camera,
+            .view = scene.view,
+            .rig = scene.rig,
+            .background = scene.background,
+            .width = scene.width,
+            .height = scene.height,
+            .surroundings = std::move(all.surroundings),
+            .max_depth = scene.max_depth,
+            .min_weight = scene.min_weight,
+            .inputs = scene.inputs};
 }
 
 PictureOptions picture_options(const Scene& scene, PictureOptions options) {

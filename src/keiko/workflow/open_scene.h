@@ -89,6 +89,10 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options = {},
                   const Job& job = {});
 
+/// The scene with another body, which has as many faces, of the same materials. Ground, lamps and
+/// camera stay.
+Scene scene_of_body(const Scene& scene, SurfaceModel body, const Job& job = {});
+
 /// Renders one picture of the scene under a rig.
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  PictureOptions options = {}, const Job& job = {});

@@ -58,9 +58,10 @@ std::array<LinePlace, 2> crossing(const FaceSurface& face, const Vec2& place) {
 /// The ripples of lines of one direction over a face, each with its continuation at either end.
 class LineRipples {
 public:
+    /// Ripples are added to `found`.
     LineRipples(const FaceAdjacency& faces, std::size_t face, bool along_u,
-                const WavinessLimit& limit)
-        : faces_(faces), face_(face), along_u_(along_u), limit_(limit) {}
+                const WavinessLimit& limit, std::vector<FaceRipple>& found)
+        : faces_(faces), face_(face), along_u_(along_u), limit_(limit), found_(found) {}
 
     /// Adds the next place of its line. One without material or normal ends a stretch, as end()
     /// does.
@@ -71,31 +72,26 @@ public:
     /// Searches the stretch that was added; the next one begins.
     void end() {
         if (own_.empty()) return;
-        const std::vector<FaceRipple> more = ripples();
-        found_.insert(found_.end(), more.begin(), more.end());
+        search();
         own_.clear();
     }
-    /// The ripples of all stretches.
-    const std::vector<FaceRipple>& found() const { return found_; }
 
 private:
-    std::vector<FaceRipple> ripples() const {
+    void search() {
         std::vector<WalkPoint> points;
         const GeodesicTrace before = beyond(own_.front(), -1), behind = beyond(own_.back(), 1);
         points.assign(before.points.rbegin(), before.points.rend());
         const std::size_t begin = points.size(), end = begin + own_.size();
         points.insert(points.end(), own_.begin(), own_.end());
         points.insert(points.end(), behind.points.begin(), behind.points.end());
-        std::vector<FaceRipple> found;
         for (const Ripple& r : narrow_ripples(measured(points), {before.ended, behind.ended})) {
             // Ripples on the next face are found there.
             if (r.index + 1 < begin || r.index > end) continue;
             const WalkPoint& point = points[r.index];
             const WalkPoint& near = points[std::clamp(r.index, begin, end - 1)];
-            found.push_back({point.at, point.position, direction(near, r.slant), r.square_width(),
-                             r.depth, r.deepest, r.cut, r.width > widest()});
+            found_.push_back({point.at, point.position, direction(near, r.slant), r.square_width(),
+                              r.depth, r.deepest, r.cut, r.width > widest()});
         }
-        return found;
     }
     double window() const { return limit_.window; }
     double spacing() const { return window() * sample_share; }
@@ -144,7 +140,7 @@ private:
     bool along_u_;
     const WavinessLimit& limit_;
     std::vector<WalkPoint> own_; ///< of the stretch at hand
-    std::vector<FaceRipple> found_;
+    std::vector<FaceRipple>& found_;
 };
 
 } // namespace
@@ -167,7 +163,8 @@ std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_
     const std::vector<double> v = spread(faces.face(face).span_lengths_v(), spacing);
     // Each place is evaluated once, for both of its lines.
     std::vector<LinePlace> along_v(u.size() * v.size());
-    LineRipples rows(faces, face, true, limit), columns(faces, face, false, limit);
+    std::vector<FaceRipple> found;
+    LineRipples rows(faces, face, true, limit, found), columns(faces, face, false, limit, found);
     for (std::size_t j = 0; j < v.size(); ++j, rows.end())
         for (std::size_t i = 0; i < u.size(); ++i) {
             check_stop();
@@ -181,8 +178,6 @@ std::vector<FaceRipple> find_face_ripples(const FaceAdjacency& faces, std::size_
         for (std::size_t j = 0; j < v.size(); ++j)
             columns.add(Vec2(u[i], v[j]), along_v[i * v.size() + j]);
     }
-    std::vector<FaceRipple> found = rows.found();
-    found.insert(found.end(), columns.found().begin(), columns.found().end());
     return found;
 }
 

@@ -1595,22 +1595,47 @@ async function readPasses(reply, use) {
   }
 }
 
+// source/projection.ts
+var Projection = class {
+  constructor(camera) {
+    this.camera = camera;
+    this.x = 0;
+    // px
+    this.y = 0;
+    // px
+    this.depth = 0;
+    this.axes = axesOf(camera);
+    this.size = pixelSize(camera);
+    this.isParallel = camera.projection === "orthographic";
+  }
+  /** Takes the place that three numbers state; false for one beside or behind an eye. */
+  set(numbers, at = 0) {
+    const { camera: { eye, width, height }, axes: { right: right2, up, forward } } = this;
+    const a = numbers[at] - eye[0], b = numbers[at + 1] - eye[1], c = numbers[at + 2] - eye[2];
+    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
+    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
+    this.x = 0.5 * width + (a * right2[0] + b * right2[1] + c * right2[2]) * scale;
+    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
+    return scale > 0;
+  }
+};
+
 // source/reprojection.ts
 var numbersOfSample2 = 8;
 var sameSurface = 1e-3;
 function reprojected(from, camera) {
   const { width, height } = camera, samples = new Float32Array(numbersOfSample2 * width * height);
   for (let at = 0; at < samples.length; at += numbersOfSample2) samples[at] = Infinity;
-  const projection2 = new Projection(camera), side = squareOf(from, camera);
+  const projection = new SurfaceProjection(camera), side = squareOf(from, camera);
   const { first: { numbers } } = from;
   for (let path = 0; path < from.paths; ++path) {
-    projection2.set(numbers, 18 * path);
-    const { x, y, depth } = projection2;
+    projection.set(numbers, 18 * path);
+    const { x, y, depth } = projection;
     if (!(depth > 0)) continue;
     const left2 = Math.floor(x - 0.5 * (side - 1)), top2 = Math.floor(y - 0.5 * (side - 1));
     for (let row2 = Math.max(top2, 0); row2 < Math.min(top2 + side, height); ++row2)
       for (let column = Math.max(left2, 0); column < Math.min(left2 + side, width); ++column)
-        put(samples, numbersOfSample2 * (row2 * width + column), projection2, from, path, column, row2);
+        put(samples, numbersOfSample2 * (row2 * width + column), projection, from, path, column, row2);
   }
   return { width, height, first: 0, step: 1, samples, bounces: new DataView(new ArrayBuffer(0)) };
 }
@@ -1619,37 +1644,24 @@ function squareOf(from, camera) {
   const scale = pixelSize(from.camera) * far(from.camera) / (pixelSize(camera) * far(camera)) * Math.min(from.rowStep, 2);
   return scale < 0.75 ? 1 : Math.min(8, Math.ceil(1.3 * scale));
 }
-function put(samples, at, projection2, from, path, x, y) {
+function put(samples, at, projection, from, path, x, y) {
   const { normals, samples: own, pixels } = from, n = 3 * path, source = numbersOfSample2 * pixels[path];
-  const t = projection2.along(x + 0.5, y + 0.5, normals[n], normals[n + 1], normals[n + 2]);
+  const t = projection.along(x + 0.5, y + 0.5, normals[n], normals[n + 1], normals[n + 2]);
   if (!(t > 0 && t < (1 - sameSurface) * samples[at])) return;
   for (let k = 1; k < numbersOfSample2; ++k) samples[at + k] = own[source + k];
   samples[at] = t;
-  projection2.turnNormal(from, path, x + 0.5, y + 0.5, t, samples, at);
+  projection.turnNormal(from, path, x + 0.5, y + 0.5, t, samples, at);
 }
-var Projection = class {
-  constructor(camera) {
-    this.camera = camera;
-    this.x = 0;
-    this.y = 0;
-    this.depth = 0;
-    // mm from the eye, or from its plane
+var SurfaceProjection = class extends Projection {
+  constructor() {
+    super(...arguments);
     this.place = [0, 0, 0];
     this.origin = [0, 0, 0];
     this.ray = [0, 0, 0];
-    this.axes = axesOf(camera);
-    this.size = pixelSize(camera);
-    this.isParallel = camera.projection === "orthographic";
   }
-  /** Takes the place that three numbers state. */
-  set(numbers, at) {
-    const { camera: { eye, width, height }, axes: { right: right2, up, forward }, place } = this;
-    for (let k = 0; k < 3; ++k) place[k] = numbers[at + k];
-    const a = place[0] - eye[0], b = place[1] - eye[1], c = place[2] - eye[2];
-    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
-    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
-    this.x = 0.5 * width + (a * right2[0] + b * right2[1] + c * right2[2]) * scale;
-    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
+  set(numbers, at = 0) {
+    for (let k = 0; k < 3; ++k) this.place[k] = numbers[at + k];
+    return super.set(numbers, at);
   }
   /** t at which the ray through a point of the picture meets the plane through the place with a normal. */
   along(x, y, nx, ny, nz) {
@@ -2115,15 +2127,6 @@ var mouseHelp = {
 };
 
 // source/section.ts
-function projection(camera) {
-  const { right: right2, up, forward } = axesOf(camera), size2 = pixelSize(camera);
-  return (place) => {
-    const way = difference(place, camera.eye), deep = dot(way, forward);
-    const scale = camera.projection === "orthographic" ? size2 : size2 * deep;
-    if (!(scale > 0)) return null;
-    return [camera.width / 2 + dot(way, right2) / scale, camera.height / 2 - dot(way, up) / scale];
-  };
-}
 var longestTooth = 0.06;
 var Overlay = class {
   constructor(host, picture) {
@@ -2150,7 +2153,8 @@ var Overlay = class {
   draw(camera) {
     this.drawn = camera;
     Object.assign(this.canvas, { width: camera.width, height: camera.height });
-    const context = this.canvas.getContext("2d"), place = projection(camera);
+    const context = this.canvas.getContext("2d"), projection = new Projection(camera);
+    const place = (at) => projection.set(at) ? [projection.x, projection.y] : null;
     const { upper, lower } = this.host.facts.bounds;
     const bent = Math.max(...this.curves.map((curve) => Math.abs(curve.largest_curvature.value)), 1e-12);
     const tooth = longestTooth * length(difference(upper, lower)) / bent;

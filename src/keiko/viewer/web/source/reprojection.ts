@@ -1,5 +1,6 @@
-import { axesOf, Camera, pixelSize } from "./camera";
+import { Camera, pixelSize } from "./camera";
 import { Pass } from "./deep_buffer";
+import { Projection } from "./projection";
 import { SurfaceBuffer } from "./surface_buffer";
 import { difference, length, unit, Vector } from "./vector";
 
@@ -13,7 +14,7 @@ const numbersOfSample = 8, sameSurface = 1e-3; // of the distance
 export function reprojected(from: SurfaceBuffer, camera: Camera): Pass {
   const { width, height } = camera, samples = new Float32Array(numbersOfSample * width * height);
   for (let at = 0; at < samples.length; at += numbersOfSample) samples[at] = Infinity;
-  const projection = new Projection(camera), side = squareOf(from, camera);
+  const projection = new SurfaceProjection(camera), side = squareOf(from, camera);
   const { first: { numbers } } = from;
   for (let path = 0; path < from.paths; ++path) {
     projection.set(numbers, 18 * path);
@@ -35,7 +36,7 @@ function squareOf(from: SurfaceBuffer, camera: Camera): number {
 }
 
 /** Writes a sample where nothing nearer is: its surface met by that pixel's own ray, in its tangent plane. */
-function put(samples: Float32Array, at: number, projection: Projection, from: SurfaceBuffer, path: number, x: number, y: number): void {
+function put(samples: Float32Array, at: number, projection: SurfaceProjection, from: SurfaceBuffer, path: number, x: number, y: number): void {
   const { normals, samples: own, pixels } = from, n = 3 * path, source = numbersOfSample * pixels[path];
   const t = projection.along(x + 0.5, y + 0.5, normals[n], normals[n + 1], normals[n + 2]);
   if (!(t > 0 && t < (1 - sameSurface) * samples[at])) return;
@@ -44,33 +45,15 @@ function put(samples: Float32Array, at: number, projection: Projection, from: Su
   projection.turnNormal(from, path, x + 0.5, y + 0.5, t, samples, at);
 }
 
-/** Where places are in a camera's picture. */
-class Projection {
-  x = 0;
-  y = 0;
-  depth = 0; // mm from the eye, or from its plane
+/** Where a place of a surface is in a camera's picture, and what rays beside it meet there. */
+class SurfaceProjection extends Projection {
   private readonly place: Vector = [0, 0, 0];
   private readonly origin: Vector = [0, 0, 0];
   private readonly ray: Vector = [0, 0, 0];
-  private readonly axes;
-  private readonly size: number;
-  private readonly isParallel: boolean;
 
-  constructor(private readonly camera: Camera) {
-    this.axes = axesOf(camera);
-    this.size = pixelSize(camera);
-    this.isParallel = camera.projection === "orthographic";
-  }
-
-  /** Takes the place that three numbers state. */
-  set(numbers: Float32Array, at: number): void {
-    const { camera: { eye, width, height }, axes: { right, up, forward }, place } = this;
-    for (let k = 0; k < 3; ++k) place[k] = numbers[at + k];
-    const a = place[0] - eye[0], b = place[1] - eye[1], c = place[2] - eye[2];
-    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
-    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
-    this.x = 0.5 * width + (a * right[0] + b * right[1] + c * right[2]) * scale;
-    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
+  override set(numbers: ArrayLike<number>, at = 0): boolean {
+    for (let k = 0; k < 3; ++k) this.place[k] = numbers[at + k];
+    return super.set(numbers, at);
   }
 
   /** t at which the ray through a point of the picture meets the plane through the place with a normal. */

@@ -1,10 +1,10 @@
 import { RowFrame } from "./row_frame";
 import { stripeCoverage } from "./stripe_coverage";
 
-// The image of a ray's pixel on the plane of a row, as nine numbers; lengths in mm:
-// t where the ray meets the plane, 0 if it does not; u and v there; apparent over true width of the tubes; reach of the
-// pixel along the lamps; both widths of the pixel's filter across them; shift of a tube's end, in its radii; least
-// component of the pixel's rays across the plane, over that of its centre's.
+// The image of a ray's pixel on the plane of a row is nine numbers, lengths in mm. The first three are t where the ray
+// meets the plane, 0 if it does not, and u and v there. Then come the apparent over the true width of the tubes, and
+// the pixel's reach along the lamps. Both widths of its filter across them follow, and the shift of a tube's end in its
+// radii. The last is the least component of the pixel's rays across the plane, over that of its centre's.
 export const imageNumbers = 9;
 
 /** Writes the image of a ray, read from a place on. The formulas are those of light/tubes/plane_image. */

@@ -1,8 +1,9 @@
-import { axesOf, Camera, pixelSize } from "./camera";
+import { Camera } from "./camera";
 import { Host } from "./host";
 import { element } from "./panel";
+import { Projection } from "./projection";
 import { ask } from "./server";
-import { difference, dot, length, scaled, sum, Vector } from "./vector";
+import { difference, length, scaled, sum, Vector } from "./vector";
 
 /** A curve of keiko-combs/1, as far as the page draws it. */
 interface Curve {
@@ -12,17 +13,6 @@ interface Curve {
 }
 
 type Point = [number, number];
-
-/** Pixels of places in a picture; nothing for places beside or behind the eye. */
-function projection(camera: Camera): (place: Vector) => Point | null {
-  const { right, up, forward } = axesOf(camera), size = pixelSize(camera);
-  return (place) => {
-    const way = difference(place, camera.eye), deep = dot(way, forward);
-    const scale = camera.projection === "orthographic" ? size : size * deep;
-    if (!(scale > 0)) return null;
-    return [camera.width / 2 + dot(way, right) / scale, camera.height / 2 - dot(way, up) / scale];
-  };
-}
 
 /** The longest tooth of a comb, as a share of the body's size. */
 const longestTooth = 0.06;
@@ -55,7 +45,8 @@ class Overlay {
   private draw(camera: Camera): void {
     this.drawn = camera;
     Object.assign(this.canvas, { width: camera.width, height: camera.height });
-    const context = this.canvas.getContext("2d")!, place = projection(camera);
+    const context = this.canvas.getContext("2d")!, projection = new Projection(camera);
+    const place = (at: Vector): Point | null => projection.set(at) ? [projection.x, projection.y] : null;
     const { upper, lower } = this.host.facts.bounds;
     const bent = Math.max(...this.curves.map((curve) => Math.abs(curve.largest_curvature.value)), 1e-12);
     const tooth = longestTooth * length(difference(upper, lower)) / bent;
