@@ -68,15 +68,25 @@ class Page:
         time.sleep(2)
 
 
-def film(keiko: str, file: Path):
+def dragged(page: Page, x: int, y: int, steps: int, key: str | None) -> list[Image.Image]:
+    """Frames of a drag there and back, with a key held."""
+    actions = ActionChains(page.driver, duration=20).move_to_element(page.picture)
+    (actions.key_down(key) if key else actions).click_and_hold().perform()
     frames = []
+    for step in range(2 * steps):
+        way = 1 if step < steps else -1
+        ActionChains(page.driver, duration=20).move_by_offset(way * x, way * y).perform()
+        frames.append(page.canvas().resize(SHOWN, Image.LANCZOS))
+    actions = ActionChains(page.driver).release()
+    (actions.key_up(key) if key else actions).perform()
+    return frames
+
+
+def film(keiko: str, file: Path):
     with Page(keiko, "concept-car-scene.toml", SIZE) as page:
-        actions = ActionChains(page.driver, duration=20)
-        actions.move_to_element(page.picture).key_down(Keys.CONTROL).click_and_hold().perform()
-        for step in range(36):
-            ActionChains(page.driver, duration=20).move_by_offset(0, 4 if step < 18 else -4).perform()
-            frames.append(page.canvas().resize(SHOWN, Image.LANCZOS))
-        ActionChains(page.driver).release().key_up(Keys.CONTROL).perform()
+        frames = dragged(page, 8, 0, 18, Keys.CONTROL)
+        page.wait()
+        frames += dragged(page, -5, 0, 12, None)
     frames[0].save(file, save_all=True, append_images=frames[1:], duration=FRAME, loop=0, quality=60, method=6)
     print(f"{file}: {len(frames)} frames, {file.stat().st_size / 1e6:.2f} MB")
 
