@@ -55,6 +55,7 @@ struct Check {
     Severity severity = Severity::judged;   ///< whether it has a part in the verdict
     std::uint32_t seam = no_index;          ///< into Inspection::seams; no_index: of a face
     std::uint32_t face = no_index;          ///< into Inspection::faces; no_index: of a seam
+    double opening_length = 0;              ///< mm, along an opening between free edges; else 0
     std::string view;                       ///< of lines: the view that shows them; else empty
     std::string faces;                      ///< "face 12 (fender-outer) | face 13"
     std::string message;                    ///< one sentence

@@ -273,6 +273,11 @@ const CriteriaPreset& limits_of(const Inspection& inspection, const MeasuredFace
     return inspection.scope ? inspection.limits.of(placed(face)) : inspection.preset;
 }
 
+const Check& numbered_check(const Inspection& inspection, std::size_t number) {
+    const std::size_t findings = inspection.findings.size();
+    return number < findings ? inspection.findings[number] : inspection.looks.at(number - findings);
+}
+
 void add_check(Inspection& inspection, Check check) {
     if (check.severity == Check::Severity::judged) {
         MeasuredFace& face = inspection.faces.at(check.face);

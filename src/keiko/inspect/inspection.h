@@ -70,6 +70,10 @@ const CriteriaPreset& limits_of(const Inspection& inspection, const MeasuredSeam
 /// Limits that a face of an inspection is held to: those of its zone, or of the preset.
 const CriteriaPreset& limits_of(const Inspection& inspection, const MeasuredFace& face);
 
+/// A check by its number from 0, as reports count them: the findings, then the looks. Throws
+/// std::out_of_range.
+const Check& numbered_check(const Inspection& inspection, std::size_t number);
+
 /// Adds a check of a face that was made apart from the inspection, as if it had been made with it.
 void add_check(Inspection& inspection, Check check);
 

@@ -106,6 +106,7 @@ Check check_of_opening(const Opening& opening, const CriteriaPreset& preset,
     check.message += opening.goes_on ? ", more than " : ", some ";
     check.message += short_number(opening.length) + " mm long";
     check.severity = Check::Severity::look;
+    check.opening_length = opening.length;
     check.faces = faces;
     return check;
 }

@@ -102,6 +102,12 @@ void aim_from_fixed_eye(Camera& camera, const Box3& box, double margin) {
     camera.vertical_fov = 2 * radians_to_degrees(std::atan(half_height / (1 - 2 * margin)));
 }
 
+/// mm, z of the floor on which the viewer of a body stands.
+double floor_of(const Box3& box, const Framing& framing) {
+    const bool is_over_floor = box.lower.z >= 0 && box.lower.z < eye_height;
+    return framing.ground.value_or(is_over_floor ? 0 : box.lower.z);
+}
+
 Camera standing_view(const Side& side, const Box3& box, const Framing& framing) {
     Camera camera = empty_picture(framing);
     const Vec3 away = direction(side.azimuth, 0);
@@ -109,12 +115,11 @@ Camera standing_view(const Side& side, const Box3& box, const Framing& framing) 
     const double reach = std::abs(away.x) * half.x + std::abs(away.y) * half.y;
     const double wanted =
         frame_direction(away, box, framing).eye.dot(away) - box.center().dot(away) - reach;
-    const double ground = framing.ground.value_or(box.lower.z);
     // Half the size keeps every corner of a tall body well before the eye.
     const double start = std::max(std::clamp(wanted, nearest, farthest), box.size() / 2);
     for (double distance = start;; distance *= 1.25) {
         camera.eye = box.center() + away * (reach + distance);
-        camera.eye.z = ground + eye_height;
+        camera.eye.z = floor_of(box, framing) + eye_height;
         aim_from_fixed_eye(camera, box, framing.margin);
         if (camera.vertical_fov <= widest_standing_fov) return camera;
     }

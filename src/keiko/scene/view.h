@@ -19,7 +19,9 @@ namespace KEIKO_API keiko {
 /// stated), are from 15 degrees above the horizon. The views high-* are the same eight from 40
 /// degrees above it. In top the front of the car is to the left of the picture, in bottom to the
 /// right. The views standing-* are the same eight as a walking surfacer has them. Their eye is 1650
-/// mm above the ground, 3 to 5 m from the body, farther where it is too large.
+/// mm above the ground, 3 to 5 m from the body, farther where it is too large. The ground is that
+/// of the framing. Without one it is z = 0 for a body that is above it and reaches below the eye,
+/// as a panel in the coordinates of its vehicle is, and else the body's lowest z.
 const std::vector<std::string>& view_names();
 
 /// Framing of a named view.
@@ -27,7 +29,7 @@ struct Framing {
     int width = 960, height = 540;  ///< pixels
     double vertical_fov = 28;       ///< degrees; standing views choose their own
     double margin = 0.04;           ///< share of the picture left free at each border
-    std::optional<double> ground{}; ///< mm, z of the floor to stand on; none: the lowest z
+    std::optional<double> ground{}; ///< mm, z of the floor to stand on; none: see view_names
 };
 
 /// The perspective camera of a named view that has the whole box in the picture and fills its

@@ -9,12 +9,6 @@
 namespace keiko {
 namespace {
 
-/// A place of the surface that stands for some of its area.
-struct AreaSample {
-    Vec3 place{0};   ///< world, mm
-    Vec3 normal{0};  ///< unit
-    double area = 0; ///< mm2
-};
 using Samples = std::vector<AreaSample>;
 using FaceKey = std::pair<std::uint32_t, std::uint32_t>; ///< instance and face
 
@@ -36,6 +30,15 @@ Samples samples_of(const SurfaceModel& model, const PlacedFace& placed) {
         samples.push_back({transform.point(s.position()), across / size, size / (side * side)});
     });
     return samples;
+}
+
+/// Null without samples.
+const AreaSample* nearest(const Samples& samples, const Vec3& place) {
+    const auto closest =
+        std::min_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
+            return (a.place - place).length2() < (b.place - place).length2();
+        });
+    return closest == samples.end() ? nullptr : &*closest;
 }
 
 double area_of(const Samples& samples) {
@@ -69,6 +72,7 @@ public:
         }
         return largest;
     }
+    const Samples& of(const FaceKey& face) const { return samples_.at(face); }
     /// Places of a skin, with normals on one side.
     Samples samples(const std::map<FaceKey, double>& skin) const {
         Samples all;
@@ -86,18 +90,10 @@ private:
         double sign; ///< 1: both normals are on the same side
     };
 
-    const AreaSample* nearest(const FaceKey& face, const Vec3& place) const {
-        const Samples& samples = samples_.at(face);
-        const auto closest =
-            std::min_element(samples.begin(), samples.end(), [&](const auto& a, const auto& b) {
-                return (a.place - place).length2() < (b.place - place).length2();
-            });
-        return closest == samples.end() ? nullptr : &*closest;
-    }
     void join(const MeasuredSeam& seam) {
         constexpr double steep = 0.5; // cosine of 60 degrees
         const FaceKey a = key_of(seam.side_a()), b = key_of(seam.side_b());
-        const AreaSample *of_a = nearest(a, seam.middle), *of_b = nearest(b, seam.middle);
+        const AreaSample *of_a = nearest(of(a), seam.middle), *of_b = nearest(of(b), seam.middle);
         if (!of_a || !of_b) return;
         const double turn = of_a->normal.dot(of_b->normal);
         if (std::abs(turn) < steep) return;
@@ -154,18 +150,24 @@ double seen_area(const Samples& samples, double side, const StandingEyes& eyes) 
 OuterSides::OuterSides(const SurfaceModel& model, const Inspection& inspection,
                        const StandingEyes& eyes) {
     const Skins skins(model, inspection);
-    std::map<FaceKey, double> skin = skins.largest();
+    const std::map<FaceKey, double> skin = skins.largest();
     const Samples samples = skins.samples(skin);
     if (samples.empty()) return;
     const double side = bulging_side(samples);
     if (side == 0 || 2 * seen_area(samples, side, eyes) < seen_area(samples, -side, eyes)) return;
-    for (auto& [face, sign] : skin) sign *= side;
-    sides_ = std::move(skin);
+    for (const auto& [face, sign] : skin) faces_[face] = {sign * side, skins.of(face)};
 }
 
 Vec3 OuterSides::outward(const PlacedFace& face, const Vec3& normal) const {
-    const auto found = sides_.find(key_of(face));
-    return found == sides_.end() ? Vec3(0) : normal * found->second;
+    const auto found = faces_.find(key_of(face));
+    return found == faces_.end() ? Vec3(0) : normal * found->second.side;
+}
+
+Vec3 OuterSides::outward_near(const PlacedFace& face, const Vec3& place) const {
+    const auto found = faces_.find(key_of(face));
+    if (found == faces_.end()) return Vec3(0);
+    const AreaSample* sample = nearest(found->second.samples, place);
+    return sample ? sample->normal * found->second.side : Vec3(0);
 }
 
 } // namespace keiko

@@ -29,6 +29,10 @@ double break_of_angle(double angle, double curvature, const LineOfSight& sight);
 /// shrinks lamps to a line, there is no stripe that changes.
 double break_of_curvatures(double a, double b, const LineOfSight& sight);
 
+/// A change of a stripe's width is as sure to an eye as a tear by this part of it
+/// (docs/theory/triage.md).
+constexpr double offsets_a_change = 6;
+
 /// Arc minutes of a gap of `gap` mm, seen squarely.
 double break_of_gap(double gap, const LineOfSight& sight);
 

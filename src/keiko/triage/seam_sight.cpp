@@ -1,6 +1,7 @@
 #include "keiko/triage/seam_sight.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/stretch_probes.h"
 
 #include <algorithm>
@@ -31,10 +32,38 @@ SightPlace place_of(const SeamPoint& point, const BoundaryFrame& frame, double l
     return at;
 }
 
+/// True if a stretch goes on from a crease of its line, whose angle falls along it. What is left of
+/// the angle at its other end is the fault; that it falls is the design.
+bool ends_a_crease(const Inspection& inspection, const MeasuredSeam& seam) {
+    const std::array<Vec3, 2> ends{seam.course.front().front(), seam.course.back().back()};
+    return std::any_of(inspection.seams.begin(), inspection.seams.end(),
+                       [&](const MeasuredSeam& other) {
+                           if (other.line != seam.line || other.kind != SeamClass::crease)
+                               return false;
+                           for (const Vec3& end : ends)
+                               for (const Vec3& of_other :
+                                    {other.course.front().front(), other.course.back().back()})
+                                   if ((end - of_other).length() <= same_vertex) return true;
+                           return false;
+                       });
+}
+
 /// Degrees by which the normals of both flanks of a flaw differ, if it has the form of a cosine.
 double flank_angle(const Flaw& flaw) {
     const double turns = flaw.kind == Flaw::Kind::waves ? 2 : 1;
     return flaw.width > 0 ? turns * 180 * flaw.depth.value / flaw.width : 0;
+}
+
+/// The place of an opening, in the air, along which it is as wide all the way.
+SightPlace place_of_opening(const Inspection& inspection, const Check& check,
+                            const OuterSides& sides) {
+    const MeasuredFace& face = inspection.faces.at(check.face);
+    SightPlace at;
+    at.place = check.worst.place, at.length = check.opening_length;
+    at.gap = check.worst.value;
+    at.gap_angle = angle_of_gap(at.gap, limits_of(inspection, face));
+    at.outward = sides.outward_near({face.instance, face.face}, at.place);
+    return at;
 }
 
 /// The place of a check of a face or of lines, without its normal.
@@ -66,6 +95,7 @@ std::vector<SightPlace> FindingSights::places_of(std::uint32_t stretch,
     constexpr int least = 8, most = 64;
     const MeasuredSeam& seam = inspection_.seams[stretch];
     const CriteriaPreset& limits = limits_of(inspection_, seam);
+    const double most_angle = ends_a_crease(inspection_, seam) ? seam.smallest_angle : HUGE_VAL;
     const StretchProbes probes(borders, inspection_.seams, stretch, inspection_.pieces);
     const double count = std::clamp(seam.length / step, double(least), double(most));
     std::vector<SightPlace> places;
@@ -79,6 +109,7 @@ std::vector<SightPlace> FindingSights::places_of(std::uint32_t stretch,
             const auto frame = probe.frame(t);
             if (!frame) continue;
             places.push_back(place_of(probe.at(t), *frame, probe.run(t).length() * cell, seam));
+            places.back().angle = std::min(places.back().angle, most_angle);
             places.back().gap_angle = angle_of_gap(places.back().gap, limits);
             places.back().outward = sides_.outward(seam.side_a(), frame->normal);
         }
@@ -99,6 +130,10 @@ std::vector<Sight> FindingSights::of_stretches(std::span<const std::uint32_t> st
 
 /// The normal is that of the surface where an eye sees the place; hidden places need none.
 Sight FindingSights::of(const Check& check) const {
+    if (check.opening_length > 0) {
+        const SightPlace at = place_of_opening(inspection_, check, sides_);
+        return eyes_.sight(std::span(&at, 1));
+    }
     SightPlace at = place_of(inspection_, check);
     if (const auto hit = eyes_.seen(at.place)) {
         at.normal = hit->normal;

@@ -20,7 +20,7 @@ public:
     /// Sights of all measured stretches, by their indices; empty for those not in `stretches`.
     std::vector<Sight> of_stretches(std::span<const std::uint32_t> stretches,
                                     const Job& job = {}) const;
-    /// Sight of the worst place of a check of a face or of lines.
+    /// Sight of the worst place of a check of a face or of lines, or of an opening.
     Sight of(const Check& check) const;
 
 private:

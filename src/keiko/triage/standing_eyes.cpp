@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -20,15 +21,24 @@ LineOfSight line_of_sight(const SightPlace& at, const Vec3& eye) {
     return {distance, std::min(std::abs(way.dot(at.normal)) / distance, 1.0)};
 }
 
-/// Arc minutes: the widest break that the place shows to an eye. `length`: of the finding, as the
-/// eye sees it; a stripe that is wider shows no change on it.
-double break_at(const SightPlace& at, const Vec3& eye, double length) {
+/// How a reflection breaks at a place.
+struct Break {
+    double width = 0;  ///< arc minutes, of the tear or of the change
+    double offset = 0; ///< arc minutes: width of the tear that an eye is as sure of
+};
+
+/// The break that an eye sees best. `length`: of the finding, as the eye sees it; a stripe that is
+/// wider shows no change on it.
+Break break_at(const SightPlace& at, const Vec3& eye, double length) {
     const LineOfSight sight = line_of_sight(at, eye);
     const double bulges = (eye - at.place).dot(at.normal) > 0 ? -1 : 1;
     const double a = bulges * at.curvature_a, b = bulges * at.curvature_b;
-    return std::max({break_of_gap(at.gap, sight), break_of_gap_angle(at.gap_angle),
-                     break_of_angle(at.angle, a, sight), break_of_angle(at.angle, b, sight),
-                     std::min(break_of_curvatures(a, b, sight), length)});
+    const double tear =
+        std::max({break_of_gap(at.gap, sight), break_of_gap_angle(at.gap_angle),
+                  break_of_angle(at.angle, a, sight), break_of_angle(at.angle, b, sight)});
+    const double change = std::min(break_of_curvatures(a, b, sight), length);
+    if (tear * offsets_a_change >= change) return {tear, tear};
+    return {change, change / offsets_a_change};
 }
 
 /// Arc minutes under which the eye sees the length of a place.
@@ -39,15 +49,54 @@ double seen_length(const SightPlace& at, const Vec3& eye) {
     return 60 * radians_to_degrees(at.length * across / std::sqrt(square));
 }
 
-/// The middle of the places whose breaks are nearly as wide as the widest.
-Vec3 middle_of_worst(std::span<const SightPlace> places, std::span<const double> widths) {
+/// A place as one eye sees it; zeros where it does not.
+struct SeenPlace {
+    Break shown;
+    double weight = 0; ///< square arc minutes
+};
+
+/// Places as an eye sees those that it is shown.
+std::vector<SeenPlace> seen_from(const Vec3& eye, std::span<const SightPlace> places,
+                                 const std::vector<bool>& shows) {
+    double length = 0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if (shows[i]) length += seen_length(places[i], eye);
+    std::vector<SeenPlace> seen(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        if (!shows[i]) continue;
+        seen[i].shown = break_at(places[i], eye, length);
+        seen[i].weight = seen[i].shown.offset * seen_length(places[i], eye);
+    }
+    return seen;
+}
+
+/// The middle of the places whose breaks are seen nearly as well as the best.
+Vec3 middle_of_worst(std::span<const SightPlace> places, const std::vector<SeenPlace>& seen) {
     constexpr double nearly = 0.9;
     if (places.empty()) return Vec3(0);
-    const double widest = *std::max_element(widths.begin(), widths.end());
+    double most = 0;
+    for (const SeenPlace& one : seen) most = std::max(most, one.shown.offset);
     std::vector<std::size_t> worst;
     for (std::size_t i = 0; i < places.size(); ++i)
-        if (widths[i] >= nearly * widest) worst.push_back(i);
+        if (seen[i].shown.offset >= nearly * most) worst.push_back(i);
     return places[worst[worst.size() / 2]].place;
+}
+
+/// mm: distance from `middle` within which four fifths of the weight lie.
+double spread_about(const Vec3& middle, std::span<const SightPlace> places,
+                    const std::vector<SeenPlace>& seen) {
+    constexpr double share = 0.8;
+    std::vector<std::pair<double, double>> by_distance;
+    double all = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        by_distance.emplace_back((places[i].place - middle).length(), seen[i].weight);
+        all += seen[i].weight;
+    }
+    std::sort(by_distance.begin(), by_distance.end());
+    double within = 0;
+    for (const auto& [distance, weight] : by_distance)
+        if ((within += weight) >= share * all) return distance;
+    return 0;
 }
 
 bool looks_from_outside(const SightPlace& at, const Vec3& eye) {
@@ -57,15 +106,26 @@ bool looks_from_outside(const SightPlace& at, const Vec3& eye) {
 } // namespace
 
 void Sight::add(const Sight& other) {
-    if (length == 0) place = other.place;
+    if (length == 0) place = other.place, spread = other.spread;
     length += other.length, visible += other.visible;
-    width = std::max(width, other.width);
-    for (std::size_t i = 0; i < weight.size(); ++i) weight[i] += other.weight[i];
+    for (std::size_t i = 0; i < weight.size(); ++i) {
+        width[i] = std::max(width[i], other.width[i]);
+        weight[i] += other.weight[i];
+    }
 }
 
 std::size_t Sight::best_view() const {
-    return static_cast<std::size_t>(std::max_element(weight.begin(), weight.end()) -
-                                    weight.begin());
+    const auto* most = std::max_element(weight.begin(), weight.end() - 1);
+    if (*most == 0 && weight.back() > 0) most = weight.end() - 1;
+    return static_cast<std::size_t>(most - weight.begin());
+}
+
+bool Sight::is_worse_than(const Sight& other) const {
+    const auto rank = [](const Sight& sight) {
+        const std::size_t view = sight.best_view();
+        return std::pair(view + 1 < sight.weight.size(), sight.weight[view]);
+    };
+    return rank(*this) > rank(other);
 }
 
 StandingEyes::StandingEyes(const Tracer& tracer, std::optional<double> ground) : tracer_(tracer) {
@@ -77,8 +137,8 @@ StandingEyes::StandingEyes(const Tracer& tracer, std::optional<double> ground) :
     }
 }
 
-/// Whether each view shows each place from outside, view after view.
-std::vector<bool> StandingEyes::visibility(std::span<const SightPlace> places) const {
+/// View by view, whether it shows each place from outside.
+std::vector<std::vector<bool>> StandingEyes::visibility(std::span<const SightPlace> places) const {
     std::vector<Ray> rays;
     for (const Vec3& eye : eyes_)
         for (const SightPlace& at : places) {
@@ -87,48 +147,41 @@ std::vector<bool> StandingEyes::visibility(std::span<const SightPlace> places) c
             ray.t_min = clearance, ray.t_max = (eye - at.place).length();
             rays.push_back(ray);
         }
-    std::vector<bool> seen = tracer_.any(rays);
-    seen.flip();
-    for (std::size_t i = 0; i < seen.size(); ++i)
-        if (!looks_from_outside(places[i % places.size()], eyes_[i / places.size()]))
-            seen[i] = false;
-    return seen;
+    const std::vector<bool> hidden = tracer_.any(rays);
+    std::vector<std::vector<bool>> shows(eyes_.size(), std::vector<bool>(places.size()));
+    for (std::size_t v = 0, ray = 0; v < eyes_.size(); ++v)
+        for (std::size_t i = 0; i < places.size(); ++i, ++ray)
+            shows[v][i] = !hidden[ray] && looks_from_outside(places[i], eyes_[v]);
+    return shows;
 }
 
 std::vector<bool> StandingEyes::shown(std::span<const SightPlace> places) const {
-    const std::vector<bool> shows = visibility(places);
     std::vector<bool> shown(places.size());
-    for (std::size_t i = 0; i < shows.size(); ++i)
-        if (shows[i]) shown[i % places.size()] = true;
+    for (const std::vector<bool>& shows : visibility(places))
+        for (std::size_t i = 0; i < places.size(); ++i)
+            if (shows[i]) shown[i] = true;
     return shown;
 }
 
 Sight StandingEyes::sight(std::span<const SightPlace> places) const {
-    const std::vector<bool> shows = visibility(places);
-    std::vector<double> widths(shows.size());
-    std::vector<bool> is_seen(places.size());
+    const std::vector<std::vector<bool>> shows = visibility(places);
+    std::vector<std::vector<SeenPlace>> seen;
     Sight sight;
     for (std::size_t v = 0; v < eyes_.size(); ++v) {
-        const auto each_seen = [&](const auto& look_at) {
-            for (std::size_t i = 0; i < places.size(); ++i)
-                if (shows[v * places.size() + i]) look_at(i);
-        };
-        double length = 0;
-        each_seen([&](std::size_t i) { length += seen_length(places[i], eyes_[v]); });
-        each_seen([&](std::size_t i) {
-            const double width = break_at(places[i], eyes_[v], length);
-            widths[v * places.size() + i] = width;
-            sight.width = std::max(sight.width, width);
-            sight.weight[v] += width * seen_length(places[i], eyes_[v]);
-            is_seen[i] = true;
-        });
+        seen.push_back(seen_from(eyes_[v], places, shows[v]));
+        for (const SeenPlace& one : seen[v]) {
+            sight.width[v] = std::max(sight.width[v], one.shown.width);
+            sight.weight[v] += one.weight;
+        }
     }
     for (std::size_t i = 0; i < places.size(); ++i) {
         sight.length += places[i].length;
-        if (is_seen[i]) sight.visible += places[i].length;
+        if (std::any_of(shows.begin(), shows.end(), [i](const auto& view) { return view[i]; }))
+            sight.visible += places[i].length;
     }
-    sight.place = middle_of_worst(
-        places, std::span(widths).subspan(sight.best_view() * places.size(), places.size()));
+    const std::vector<SeenPlace>& best = seen[sight.best_view()];
+    sight.place = middle_of_worst(places, best);
+    sight.spread = spread_about(sight.place, places, best);
     return sight;
 }
 

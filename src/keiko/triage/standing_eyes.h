@@ -11,7 +11,8 @@
 
 namespace keiko {
 
-/// Names of the views in which faults are sought: those of a walking surfacer, and from above.
+/// Names of the views in which faults are sought: those of a walking surfacer, and last the one
+/// from above, which decides what is hidden and not what comes first.
 constexpr std::array<std::string_view, 9> standing_views{"standing-front",
                                                          "standing-rear",
                                                          "standing-left",
@@ -26,16 +27,29 @@ constexpr std::array<std::string_view, 9> standing_views{"standing-front",
 struct Sight {
     double length = 0;  ///< mm, of the finding
     double visible = 0; ///< mm of it that at least one view shows
-    double width = 0;   ///< arc minutes: the widest break of a reflection in any view
-    /// Square arc minutes: the break's width, integrated over its visible length, of each view.
+    /// Arc minutes: the widest break of a reflection in each view.
+    std::array<double, standing_views.size()> width{};
+    /// Square arc minutes: the width of the tear that an eye is as sure of as of the break,
+    /// integrated over its visible length, of each view.
     std::array<double, standing_views.size()> weight{};
     /// World, mm: in the best view the middle of the places that are nearly as bad as the worst.
     Vec3 place{0};
+    /// mm: distance from `place` within which four fifths of the weight in the best view lie.
+    double spread = 0;
 
-    /// Adds what is seen of another part of the same finding. The place stays that of the first.
+    /// Adds what is seen of another part of the same finding. Place and spread stay those of the
+    /// first.
     void add(const Sight& other);
-    /// The view that shows most of it; the first if none shows anything.
+    /// The standing view that shows most of it; "top" if none but that shows anything; the first
+    /// if none does.
     std::size_t best_view() const;
+    /// Share of the length that at least one view shows.
+    double visible_share() const { return length > 0 ? visible / length : 0; }
+    /// True if at most a hundredth of the length is visible.
+    bool is_hidden() const { return visible_share() <= 0.01; }
+    /// True if it has more weight in its best view. What is seen from the top alone weighs less
+    /// than all that a standing view shows.
+    bool is_worse_than(const Sight& other) const;
 };
 
 /// A place of a finding, and how a reflection breaks there.
@@ -56,7 +70,7 @@ struct SightPlace {
 class StandingEyes {
 public:
     /// Keeps a reference to the tracer, of the body. `ground`: z of the floor on which the viewers
-    /// stand, mm; none: the lowest z of the body.
+    /// stand, mm; none: as of Framing.
     explicit StandingEyes(const Tracer& tracer, std::optional<double> ground = {});
 
     /// Sight of places that belong to one finding, in their order along it.
@@ -67,7 +81,7 @@ public:
     std::optional<Hit> seen(const Vec3& place) const;
 
 private:
-    std::vector<bool> visibility(std::span<const SightPlace> places) const;
+    std::vector<std::vector<bool>> visibility(std::span<const SightPlace> places) const;
 
     const Tracer& tracer_;
     std::array<Vec3, standing_views.size()> eyes_; ///< world, mm

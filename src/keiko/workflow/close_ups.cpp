@@ -2,10 +2,12 @@
 
 #include "keiko/base/job_steps.h"
 #include "keiko/base/units.h"
+#include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/scene/view.h"
 #include "keiko/triage/standing_eyes.h"
 #include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/curve_painter.h"
 #include "keiko/workflow/report_pictures.h"
 #include "keiko/workflow/seen_place.h"
 
@@ -13,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 #include <variant>
 
 namespace keiko {
@@ -188,13 +191,30 @@ bool shows_lamps(const Film& film, const LightRig& rig) {
     return !(brightest > 0) || (share > least && share < 1 - least);
 }
 
+/// A picture with a stretch as a row of dots, between which its reflection is seen.
+Image with_dots(Image picture, const Film& film, const Camera& camera, const MeasuredSeam& seam) {
+    constexpr double step = 2; // pixels
+    const CurvePainter painter(film, camera);
+    Overlay overlay;
+    for (const std::vector<Vec3>& piece : seam.course) {
+        const std::vector<Vec2> drawn = painter.drawn(piece, step);
+        for (std::size_t i = 1; i < drawn.size(); i += 4)
+            overlay.lines.push_back(
+                {.points = {drawn[i - 1], drawn[i]}, .color = Rgb(1, 0.85, 0), .width = 2});
+    }
+    return with_overlay(std::move(picture), overlay);
+}
+
 /// The stripes of the lamps, or zebra where the place mirrors none.
 Image picture_of(const Scene& scene, const LightRig& rig, const Camera& camera,
-                 PictureOptions options, const Job& job) {
+                 PictureOptions options, const MeasuredSeam* seam, const Job& job) {
     options.aovs = look_layers(AnalysisMode::zebra);
+    options.aovs.push_back(Aov::depth);
     const Film film = render_to_show(scene, rig, camera, options, job);
-    if (shows_lamps(film, rig)) return tone_mapped(film);
-    return analysis_picture(AnalysisMode::zebra, film, camera, rig);
+    Image picture = shows_lamps(film, rig)
+                        ? tone_mapped(film)
+                        : analysis_picture(AnalysisMode::zebra, film, camera, rig);
+    return seam ? with_dots(std::move(picture), film, camera, *seam) : picture;
 }
 
 } // namespace
@@ -209,7 +229,9 @@ std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Re
     for (const Subject& subject : subjects.all()) {
         const Camera camera = close_up_camera(scene, subject.view, subject.place);
         const std::string title = "close-up-" + std::to_string(pictures.size() + 1);
-        const Image picture = picture_of(scene, rig, camera, options, job);
+        const MeasuredSeam* seam =
+            subject.of == CloseUp::Of::seam ? &report.inspection.seams[subject.index] : nullptr;
+        const Image picture = picture_of(scene, rig, camera, options, seam, job);
         pictures.push_back({subject.of, subject.index, report_picture(title, picture, {})});
     }
     return pictures;

@@ -21,7 +21,7 @@ using FaceSet = std::vector<bool>;
 struct ZonedBody {
     const SurfaceModel& model;      ///< all models as one
     const Tracer* tracer = nullptr; ///< of the model; made if there is none and one is needed
-    std::optional<double> ground{}; ///< mm, z of the floor; none: the lowest z of the body
+    std::optional<double> ground{}; ///< mm, z of the floor; none: as of Framing
 };
 
 /// Finds faces of a body by conditions. Keeps references to the body and the job.

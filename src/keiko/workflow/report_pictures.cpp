@@ -4,69 +4,15 @@
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/curve_painter.h"
 #include "keiko/workflow/seen_place.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 namespace keiko {
 namespace {
-
-/// Share of the distance to the camera: a curve no farther behind the surface at a pixel counts as
-/// visible.
-constexpr double depth_slack = 2e-3;
-constexpr double most_step = 4; ///< pixels between visibility tests
-
-class CurvePainter {
-public:
-    CurvePainter(const Film& film, const Camera& camera)
-        : depth_(film.aovs.at(Aov::depth)), camera_(camera) {}
-
-    /// The curve as drawn, broken where something hides it.
-    Polyline drawn(const InflectionCurve& curve) const {
-        Polyline line{.points = {}, .color = Rgb(0.02), .width = 1.6};
-        for (std::size_t i = 1; i < curve.points.size(); ++i) {
-            const Vec3 &a = curve.points[i - 1], &b = curve.points[i];
-            const int steps = steps_between(a, b);
-            for (int k = i == 1 ? 0 : 1; k <= steps; ++k)
-                line.points.push_back(pixel(a + (b - a) * (static_cast<double>(k) / steps)));
-        }
-        return line;
-    }
-
-private:
-    int steps_between(const Vec3& a, const Vec3& b) const {
-        const auto from = project(camera_, a), to = project(camera_, b);
-        constexpr double most = 1000;
-        if (!from || !to) return 1;
-        return static_cast<int>(std::clamp((*to - *from).length() / most_step, 1.0, most));
-    }
-
-    Vec2 pixel(const Vec3& place) const {
-        constexpr double none = std::numeric_limits<double>::quiet_NaN();
-        const auto at = project(camera_, place);
-        return at && seen(*at, place) ? *at : Vec2(none, none);
-    }
-
-    /// True if a place is as near as the surface at its pixel or one beside it: curves on
-    /// silhouettes are visible.
-    bool seen(const Vec2& at, const Vec3& place) const {
-        const Ray ray = camera_.ray(at.x, at.y);
-        const double distance = (place - ray.origin).dot(ray.direction);
-        const int x = static_cast<int>(std::floor(at.x)), y = static_cast<int>(std::floor(at.y));
-        double farthest = 0;
-        for (int j = std::max(y - 1, 0); j <= std::min(y + 1, depth_.height - 1); ++j)
-            for (int i = std::max(x - 1, 0); i <= std::min(x + 1, depth_.width - 1); ++i)
-                if (const double depth{*depth_.pixel(i, j)}; std::isfinite(depth))
-                    farthest = std::max(farthest, depth);
-        return distance <= farthest * (1 + depth_slack);
-    }
-
-    const Image& depth_;
-    const Camera& camera_;
-};
 
 Image with_inflections(Image picture, const Film& film, const Inspection& inspection,
                        const Camera& camera) {
@@ -74,7 +20,8 @@ Image with_inflections(Image picture, const Film& film, const Inspection& inspec
     Overlay overlay;
     for (const MeasuredFace& face : inspection.faces)
         for (const InflectionCurve& curve : face.inflections)
-            overlay.lines.push_back(painter.drawn(curve));
+            overlay.lines.push_back(
+                {.points = painter.drawn(curve.points), .color = Rgb(0.02), .width = 1.6});
     return with_overlay(std::move(picture), overlay);
 }
 

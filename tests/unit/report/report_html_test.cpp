@@ -1,5 +1,6 @@
 #include "keiko/base/units.h"
 #include "keiko/report/content/report.h"
+#include "keiko/report/content/triaged_faults.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/report/sample_report.h"
@@ -30,6 +31,57 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     EXPECT_EQ(json["close_ups"][1]["face"], 2);
 }
 
+/// The first screen of a report with one fault.
+std::string first_screen(Report report, const TriageItem& fault) {
+    report.triage = {{fault}, {}};
+    const std::string html = report_html(report);
+    const auto first = html.find("What to mend first");
+    return html.substr(first, html.find("</section>", first) - first);
+}
+
+TEST(ReportHtml, AHoleStandsWithWhatLiesBesideIt) {
+    Report holed = report();
+    Check hole;
+    hole.code = "KEIKO-OPENING", hole.faces = "face 8 | face 9", hole.message = "a hole of 13 mm";
+    hole.severity = Check::Severity::look, hole.opening_length = 20, hole.face = 0;
+    hole.worst.verdict = Verdict::fail;
+    holed.inspection.looks.push_back(hole);
+    TriageItem fault;
+    fault.mending = Mending::position, fault.face = 0, fault.seams = {0};
+    fault.findings = {holed.inspection.findings.size(), 0};
+    const std::string screen = first_screen(holed, fault);
+    const auto name = screen.find("face 8 | face 9"), message = screen.find("a hole of 13 mm");
+    const auto also = screen.find("also face");
+    EXPECT_LT(name, message);
+    EXPECT_LT(message, also);
+    EXPECT_NE(screen.find(": " + holed.inspection.findings[0].message, also), std::string::npos);
+    EXPECT_EQ(screen.find("KEIKO-OPENING"), std::string::npos) << "not told again as a look";
+    const auto json = nlohmann::json::parse(
+        faults_json({{{fault}, {}}, {}}, holed.inspection, "9.9"))["items"][0];
+    EXPECT_EQ(json["message"], "a hole of 13 mm");
+    EXPECT_EQ(json["findings"][0], holed.inspection.findings.size() + 1);
+}
+
+TEST(ReportHtml, RadiiAreThoseWhereTheBreakIsSeen) {
+    Report curved = report();
+    MeasuredSeam& seam = curved.inspection.seams[0];
+    seam.curvature = CurvatureStep{};
+    seam.curvature->mismatch = 1;
+    seam.curvature->curvature_a = 1 / 27600.0, seam.curvature->curvature_b = 1 / 8000.0;
+    TriageItem fault;
+    fault.findings = {0}, fault.seams = {0}, fault.place = {10, 0, 0};
+    EXPECT_NE(first_screen(curved, fault).find("R 27.6 m | R 8000 mm"), std::string::npos);
+    SeamProfile profile;
+    for (const double x : {0.0, 9.0, 20.0}) {
+        ProfileSample sample;
+        sample.point.place = {x, 0, 0};
+        sample.point.curvature_a = 1e-7, sample.point.curvature_b = x == 9 ? -1 / 50.0 : 0;
+        profile.samples.push_back(sample);
+    }
+    curved.profiles.push_back(profile);
+    EXPECT_NE(first_screen(curved, fault).find("flat | R -50 mm"), std::string::npos);
+}
+
 TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
     Report triaged = report();
     TriageItem seen{Mending::tangent,
@@ -49,9 +101,10 @@ TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
     ASSERT_NE(first, std::string::npos);
     ASSERT_LT(first, apart);
     const std::string screen = html.substr(first, apart - first);
-    EXPECT_NE(screen.find("tangent · breaks a reflection by up to 36′ (arc minutes), seen from "
+    EXPECT_NE(screen.find("tangent · tears a stripe by up to 36′ (arc minutes), seen from "
                           "three-quarter front left "
-                          "· 100.0 mm on 1 stretch, 96 % of it visible · on both sides"),
+                          "· 100.0 mm on 1 seam, 96 % of it visible · on both sides · weight "
+                          "30000"),
               std::string::npos);
     EXPECT_NE(screen.find("0.300°"), std::string::npos);
     EXPECT_EQ(screen.find("0.0400 mm"), std::string::npos) << "the gap is hidden";
@@ -232,7 +285,7 @@ TEST(ReportHtml, TellsTheFirstScreenInOrder) {
     const std::string html = report_html(report());
     std::size_t at = 0;
     for (const char* text :
-         {"<header class=\"card head fail\">", "stretches fail", "undecided", "</b>crease</div>",
+         {"<header class=\"card head fail\">", "stretches fail", "undecided", "</b>crease</a>",
           "not covered", "Reflections", "Worst stretches of seams", "0.0400 mm", "0.300°",
           "Coverage", "87.5 %", "All stretches of seams", "lost faces", "repairs",
           "1 × open loop closed on 1 face, up to 0.25 mm", "a &lt;seam&gt; added",
@@ -278,7 +331,7 @@ TEST(ReportHtml, ListsHowACreaseFades) {
     const std::string html = report_html(fading);
     EXPECT_NE(html.find(">fading °/mm ≤ 0.0014<"), std::string::npos);
     EXPECT_NE(html.find("<td class=\"tone\" data-v=\"0.05\">0.05</td>"), std::string::npos);
-    EXPECT_NE(html.find("3</b>run-outs</div>"), std::string::npos);
+    EXPECT_NE(html.find("3</b>run-outs</a>"), std::string::npos);
 }
 
 TEST(ReportHtml, TellsOverlapsAndKnotLinesFromGapsAndSeams) {

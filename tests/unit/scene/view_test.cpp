@@ -71,12 +71,11 @@ TEST(View, TopShowsTheFrontOfTheCarToTheLeft) {
     EXPECT_LT(right_side.y, camera.height * 0.5);
 }
 
-TEST(View, AStandingEyeIsAtEyeHeightAndWalkingDistance) {
+TEST(View, AStandingEyeIsAtWalkingDistance) {
     for (const std::string name :
          {"standing-front", "standing-left", "standing-three-quarter-rear"})
         for (const Box3& box : {car, Box3{Vec3(0, 0, 200), Vec3(300, 400, 260)}}) {
             const Camera camera = frame_view(name, box);
-            EXPECT_NEAR(camera.eye.z, box.lower.z + 1650, 1e-9) << name;
             const Vec3 away = camera.eye - box.center();
             const double horizontal = std::hypot(away.x, away.y);
             const double reach =
@@ -85,7 +84,18 @@ TEST(View, AStandingEyeIsAtEyeHeightAndWalkingDistance) {
             EXPECT_GE(horizontal - reach, 3000 - 1e-6) << name;
             EXPECT_LE(horizontal - reach, 5000 + 1e-6) << name;
         }
-    EXPECT_NEAR(frame_view("standing-left", car, {.ground = -150}).eye.z, 1500, 1e-9);
+}
+
+TEST(View, AStandingEyeIsAtEyeHeight) {
+    const auto height = [](double lowest, const Framing& framing = {}) {
+        const Box3 panel{Vec3(0, 0, lowest), Vec3(300, 400, lowest + 60)};
+        return frame_view("standing-left", panel, framing).eye.z;
+    };
+    EXPECT_NEAR(height(0), 1650, 1e-9);
+    EXPECT_NEAR(height(815), 1650, 1e-9) << "a panel in the coordinates of its vehicle";
+    EXPECT_NEAR(height(-300), 1350, 1e-9);
+    EXPECT_NEAR(height(2000), 3650, 1e-9) << "above the eye of somebody on z = 0";
+    EXPECT_NEAR(height(815, {.ground = -150}), 1500, 1e-9);
 }
 
 TEST(View, FramingFollowsTheAspectOfThePicture) {

@@ -7,7 +7,9 @@
 #include "tests/support/model_builder.h"
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <set>
 
 namespace keiko {
 namespace {
@@ -103,7 +105,9 @@ TEST(Triage, AFaultOverSeveralStretchesIsOneItem) {
     ASSERT_EQ(found.triage.items.size(), 1u);
     const TriageItem& item = found.triage.items[0];
     EXPECT_EQ(item.seams.size(), 3u);
-    EXPECT_EQ(item.findings, (std::vector<std::size_t>{0, 1, 2}));
+    EXPECT_EQ(found.inspection.findings.at(item.findings.front()).seam, item.seams.front());
+    EXPECT_EQ(std::set<std::size_t>(item.findings.begin(), item.findings.end()),
+              (std::set<std::size_t>{0, 1, 2}));
     EXPECT_NEAR(item.length, 900, 1e-6);
     EXPECT_FALSE(item.mirrored);
 }
@@ -236,13 +240,15 @@ TriageItem fault_of_radii(double before, double after) {
 TEST(Triage, ACurvatureThatChangesItsSignIsSeen) {
     const TriageItem item = fault_of_radii(2000, -2000);
     EXPECT_EQ(item.mending, Mending::curvature);
-    // In the view from above, 3 m away: 1 / (1 + 3) and 1 / (1 - 3), half as large.
-    EXPECT_GT(item.width, 0.35 * lamp_width);
-    EXPECT_GT(item.weight, 1000);
+    // A standing eye is 3.5 m away and sees it at c = 0.47: 1 / (1 + 7.4) and 1 / (1 - 7.4), of
+    // whose difference three quarters count.
+    EXPECT_NEAR(item.width, 0.21 * lamp_width, 0.01 * lamp_width);
+    EXPECT_GT(item.weight, 300);
 }
 
 TEST(Triage, AHollowPlaceBreaksMoreThanABulgedOne) {
-    EXPECT_GT(fault_of_radii(2000, 4000).width, 2 * fault_of_radii(-2000, -4000).width);
+    // By the formula 0.090 and 0.052 of a lamp's width.
+    EXPECT_GT(fault_of_radii(2000, 4000).width, 1.6 * fault_of_radii(-2000, -4000).width);
     EXPECT_NEAR(fault_of_radii(-4000, -2000).width, fault_of_radii(-2000, -4000).width, 1e-6);
 }
 
@@ -315,16 +321,98 @@ TEST(Triage, EyesStandOnTheGround) {
     const Inspection inspection = inspect(model);
     const Tracer tracer(model);
     const std::vector<std::uint32_t> first{0};
-    const Sight floating = FindingSights(model, tracer, inspection).of_stretches(first)[0];
-    const Sight on_ground = FindingSights(model, tracer, inspection, 0.0).of_stretches(first)[0];
+    const auto sight = [&](std::optional<double> ground) {
+        return FindingSights(model, tracer, inspection, ground).of_stretches(first)[0];
+    };
+    const Sight in_vehicle = sight({}), on_ground = sight(0.0), raised = sight(1000.0);
+    EXPECT_EQ(in_vehicle.weight, on_ground.weight) << "a panel above z = 0 is part of a vehicle";
     // The surface lies 650 mm below the eyes rather than 1650: it is seen nearer, at a flatter
     // angle.
     for (std::size_t view = 0; view < 4; ++view)
-        EXPECT_GT(std::abs(on_ground.weight[view] - floating.weight[view]),
-                  0.01 * floating.weight[view])
+        EXPECT_GT(std::abs(on_ground.weight[view] - raised.weight[view]),
+                  0.01 * raised.weight[view])
             << standing_views[view];
-    EXPECT_EQ(on_ground.weight.back(), floating.weight.back()) << "from above";
-    EXPECT_EQ(triage(model, tracer, inspection, 0.0).items.at(0).weight, on_ground.weight.back());
+    EXPECT_EQ(on_ground.weight.back(), raised.weight.back()) << "from above";
+}
+
+TEST(Triage, WhatIsSeenFromTheTopAloneComesLast) {
+    Sight standing, above, unseen;
+    standing.weight[3] = 1, standing.weight.back() = 2;
+    above.weight.back() = 1000;
+    EXPECT_EQ(standing_views[standing.best_view()], "standing-right");
+    EXPECT_EQ(standing_views[above.best_view()], "top");
+    EXPECT_EQ(unseen.best_view(), 0u);
+    EXPECT_TRUE(standing.is_worse_than(above));
+    EXPECT_FALSE(above.is_worse_than(standing));
+    EXPECT_TRUE(standing.is_worse_than(unseen));
+}
+
+TEST(Triage, ALineGoesOnWhereItsPatchesAreOutOfStep) {
+    for (const auto& [step, items] : {std::pair(8.0, 1u), {30.0, 2u}}) {
+        ModelBuilder builder;
+        bent_pair(builder, {0, 0, 0}, 400, 0.5);
+        bent_pair(builder, {403, step, 0}, 400, 0.3);
+        EXPECT_EQ(Triaged(builder).triage.items.size(), items) << step;
+    }
+}
+
+/// Eight sheets around a hole of 10 x 8 mm.
+void holed_sheet(ModelBuilder& builder, const Vec3& from) {
+    constexpr std::array<double, 4> x{0, 100, 110, 210}, y{0, 100, 108, 208};
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            if (i != 1 || j != 1)
+                builder.plane(from + Vec3(x[i], y[j], 0), {x[i + 1] - x[i], 0, 0},
+                              {0, y[j + 1] - y[j], 0});
+}
+
+TEST(Triage, AHoleIsAFaultThoughItIsNotJudged) {
+    ModelBuilder builder;
+    holed_sheet(builder, {0, 0, 0});
+    const Triaged found(builder);
+    EXPECT_TRUE(found.inspection.findings.empty());
+    ASSERT_EQ(found.inspection.looks.size(), 1u);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    const TriageItem& item = found.triage.items[0];
+    EXPECT_EQ(item.mending, Mending::position);
+    EXPECT_EQ(numbered_check(found.inspection, item.findings.at(0)).code, "KEIKO-OPENING");
+    EXPECT_NEAR(item.width, lamp_width, 1e-9) << "as a gap far beyond its limit";
+    EXPECT_NEAR((item.place - Vec3(105, 104, 0)).length(), 0, 1);
+    EXPECT_GT(item.weight, 100);
+}
+
+TEST(Triage, WhatLiesInOneGlanceIsOneItem) {
+    for (const auto& [apart, items] : {std::pair(35.0, 2u), {100.0, 3u}}) {
+        ModelBuilder builder;
+        bent_pair(builder, {0, 0, 0}, 20, 0.5);
+        bent_pair(builder, {apart, 0, 0}, 20, 0.3);
+        bent_pair(builder, {2000, 0, 0}, 20, 0.4);
+        const Triaged found(builder);
+        ASSERT_EQ(found.inspection.findings.size(), 3u);
+        EXPECT_EQ(found.triage.items.size(), items) << apart << " mm apart";
+    }
+}
+
+TEST(Triage, ARowOfFaultsIsNotOneItem) {
+    ModelBuilder builder;
+    for (int i = 0; i < 8; ++i) bent_pair(builder, {40.0 * i, 0, 0}, 10, 0.5);
+    bent_pair(builder, {2000, 0, 0}, 10, 0);
+    const Triaged found(builder);
+    ASSERT_EQ(found.inspection.findings.size(), 8u);
+    EXPECT_GE(found.triage.items.size(), 3u);
+    for (const TriageItem& item : found.triage.items) EXPECT_LE(item.seams.size(), 3u);
+}
+
+TEST(Triage, ATearIsSeenSoonerThanAChangeOfWidth) {
+    ModelBuilder builder;
+    curved_pair(builder, {0, 0, 0}, -1 / 2000.0, -1 / 8000.0);
+    bent_pair(builder, {1000, 0, 0}, 400, 0.12);
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 2u);
+    const TriageItem &first = found.triage.items[0], &second = found.triage.items[1];
+    EXPECT_EQ(first.mending, Mending::tangent);
+    EXPECT_LT(first.width, 2 * second.width) << "arc minutes, of either break";
+    EXPECT_GT(first.weight, 6 * second.weight);
 }
 
 TEST(Triage, OfABodyWithoutFindingsIsEmpty) {

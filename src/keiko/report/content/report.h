@@ -99,8 +99,8 @@ constexpr std::size_t most_shown = 7;
 /// An item of the first screen, which pictures number: a fault, or a stretch of a seam.
 struct ShownItem {
     const TriageItem* fault = nullptr; ///< null for a stretch without findings
-    std::uint32_t seam = no_index;     ///< the stretch that shows most of it
-    std::uint32_t face = no_index;     ///< of a fault of one face
+    std::uint32_t seam = no_index;     ///< the stretch that shows most of it, if no face does
+    std::uint32_t face = no_index;     ///< that shows most of it
     Vec3 place{0};                     ///< the worst one, world, mm
 };
 

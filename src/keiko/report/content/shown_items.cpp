@@ -6,8 +6,9 @@ std::vector<ShownItem> shown_items(const Report& report) {
     std::vector<ShownItem> items;
     for (const TriageItem& fault : report.triage.items) {
         if (items.size() == most_shown) break;
-        items.push_back({&fault, fault.seams.empty() ? no_index : fault.seams.front(), fault.face,
-                         fault.place});
+        const bool is_of_seam = fault.face == no_index && !fault.seams.empty();
+        items.push_back(
+            {&fault, is_of_seam ? fault.seams.front() : no_index, fault.face, fault.place});
     }
     if (!items.empty()) return items;
     for (const std::uint32_t seam : worst_seams(report.inspection, worst_seam_count))

@@ -86,7 +86,7 @@ std::string remarks(const ModelFacts& facts) {
 
 std::string html_facts(const Report& report) {
     const ModelFacts& facts = report.inspection.facts;
-    std::string html = "<section><h2>File</h2><dl class=\"card\">";
+    std::string html = "<section id=\"file\"><h2>File</h2><dl class=\"card\">";
     html += fact("source", html_escaped(facts.source));
     html += fact("format", html_escaped(facts.format));
     html += fact("unit", facts.unit.empty() ? "none named, read as mm" : html_escaped(facts.unit));

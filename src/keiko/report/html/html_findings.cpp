@@ -53,7 +53,8 @@ std::string html_accepted(const Report& report) {
     const Inspection whole = whole_inspection(report);
     if (whole.accepted.empty() && whole.acceptance_remarks.empty()) return "";
     std::string html =
-        "<section><h2>Accepted</h2><p class=\"soft\">Found, and accepted by a person: nothing here "
+        "<section id=\"accepted\"><h2>Accepted</h2><p class=\"soft\">Found, and accepted by a "
+        "person: nothing here "
         "has a part in the verdict.</p>" +
         remarks_list(whole);
     if (whole.accepted.empty()) return html + "</section>\n";

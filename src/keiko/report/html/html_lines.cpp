@@ -133,7 +133,7 @@ std::string inflections(const LineList& list) {
 
 std::string html_lines(const Report& report) {
     if (!report.lines) return "";
-    std::string html = "<section><h2>Reflection lines</h2>" + summary(*report.lines) +
+    std::string html = "<section id=\"lines\"><h2>Reflection lines</h2>" + summary(*report.lines) +
                        "<div class=\"pictures\">\n";
     for (const ReportPicture& picture : report.line_pictures) html += html_figure(picture);
     return html + "</div>\n" + table(report) + inflections(*report.lines) + "</section>\n";

@@ -34,7 +34,7 @@ std::string html_lines(const Report& report);
 /// The faults to mend first, or else the worst seams, each with its measures against their limits.
 std::string html_first_screen(const Report& report);
 /// A stretch of a seam with its measures against their limits; `note`: a fragment on its fault.
-std::string html_seam_card(const Report& report, std::size_t rank, std::uint32_t index,
+std::string html_seam_card(const Report& report, std::size_t rank, const ShownItem& item,
                            const std::string& note);
 /// Faults that no standing view shows.
 std::string html_hidden(const Report& report);

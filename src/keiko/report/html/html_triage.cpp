@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 namespace keiko {
 namespace {
@@ -17,43 +18,80 @@ std::string words_of_view(const std::string& view) {
     return is_between ? "three-quarter " + words : words;
 }
 
-/// Sight of a fault in words: "curvature · breaks a reflection by up to 2.8′ (arc minutes),
-/// seen from left · 271.5 mm on 3 stretches, 96 % of it visible · on both sides".
+/// The effect of a fault on the stripe of a lamp.
+std::string_view effect_of(Mending mending) {
+    switch (mending) {
+        case Mending::position:
+            return "counts as a tear of a stripe by ";
+        case Mending::tangent:
+            return "tears a stripe by up to ";
+        case Mending::curvature:
+        case Mending::layout:
+            return "changes a stripe's width by up to ";
+    }
+    return "";
+}
+
+/// "tangent · tears a stripe by up to 2.8′ (arc minutes), seen from left · 271.5 mm on 3 seams, 96
+/// % of it visible · on both sides · weight 12".
 std::string sight_text(const TriageItem& item) {
     constexpr double least_width = 0.05, coarse = 10; // arc minutes
     std::string text(name_of(item.mending));
     if (item.width >= least_width)
-        text += (item.mending == Mending::position ? " · counts as a break of a reflection by "
-                                                   : " · breaks a reflection by up to ") +
+        text += " · " + std::string(effect_of(item.mending)) +
                 fixed_number(item.width, item.width < coarse ? 1 : 0) +
                 "′ (arc minutes), seen from " + words_of_view(item.view);
     if (!item.seams.empty())
         text += " · " + fixed_number(item.length, 1) + " mm on " +
-                std::to_string(item.seams.size()) +
-                (item.seams.size() == 1 ? " stretch" : " stretches") + ", " +
-                fixed_number(100 * item.visible, 0) + " % of it visible";
-    return text + (item.mirrored ? " · on both sides" : "");
+                std::to_string(item.seams.size()) + (item.seams.size() == 1 ? " seam" : " seams") +
+                ", " + fixed_number(100 * item.visible, 0) + " % of it visible";
+    if (item.mirrored) text += " · on both sides";
+    return text + " · weight " + fixed_number(item.weight, item.weight < coarse ? 1 : 0);
 }
 
-std::string note_on(const TriageItem& fault) {
+/// The other findings of a fault, one of each seam or face: "also face 47 | face 50: the angle
+/// of 1.45 degrees is over the limit of 0.1 degrees". Empty without anything else.
+std::string also_text(const TriageItem& fault, const Inspection& inspection) {
+    constexpr std::size_t most = 3;
+    std::set<std::string> told{numbered_check(inspection, fault.findings.front()).faces};
+    std::string text;
+    for (const std::size_t number : fault.findings) {
+        const Check& check = numbered_check(inspection, number);
+        if (!told.insert(check.faces).second) continue;
+        if (told.size() <= most + 1)
+            text += (text.empty() ? "also " : "; ") + check.faces + ": " + check.message;
+    }
+    if (told.size() > most + 1)
+        text += "; and " + std::to_string(told.size() - most - 1) + " more seams or faces";
+    return text;
+}
+
+std::string sight_note(const TriageItem& fault) {
     return "<div class=\"sight\">" + html_escaped(sight_text(fault)) + "</div>";
+}
+
+std::string also_note(const TriageItem& fault, const Inspection& inspection) {
+    const std::string also = also_text(fault, inspection);
+    return also.empty() ? "" : "<div class=\"soft small\">" + html_escaped(also) + "</div>";
 }
 
 /// The card of a fault of a face, or of lines.
 std::string card(const Report& report, std::size_t rank, const ShownItem& item,
-                 const Check& worst) {
+                 const Inspection& whole) {
+    const Check& worst = numbered_check(whole, item.fault->findings.front());
     return "<div class=\"card seam " + std::string(outcome_of(worst)) + "\"><div class=\"rank\">" +
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
-           html_escaped(worst.faces) + "</div>" + note_on(*item.fault) + "<div>" +
-           html_escaped(worst.message) + "</div><div class=\"soft small\">at " +
-           place_text(worst.worst.place) + "</div></div>" +
+           html_escaped(worst.faces) + "</div>" + sight_note(*item.fault) + "<div>" +
+           html_escaped(worst.message) + "</div>" + also_note(*item.fault, whole) +
+           "<div class=\"soft small\">at " + place_text(worst.worst.place) + "</div></div>" +
            html_close_up(report, CloseUp::Of::face, item.face) + "</div>\n";
 }
 
-/// "Worth a look besides, not judged: 4 × KEIKO-OPENING, 1 × KEIKO-DENT."
+/// "Worth a look besides, not judged: 4 × KEIKO-TEE, 1 × KEIKO-DENT." Openings are faults.
 std::string looks_line(const Inspection& inspection) {
     std::map<std::string, std::size_t> counts;
-    for (const Check& look : inspection.looks) ++counts[look.code];
+    for (const Check& look : inspection.looks)
+        if (!(look.opening_length > 0)) ++counts[look.code];
     if (counts.empty()) return "";
     std::string text;
     for (const auto& [code, count] : counts)
@@ -76,20 +114,24 @@ std::string html_first_screen(const Report& report) {
     const std::vector<ShownItem> items = shown_items(report);
     if (items.empty()) return "";
     const std::size_t faults = report.triage.items.size();
-    const std::vector<Check> findings = whole_inspection(report).findings;
+    const Inspection whole = whole_inspection(report);
     std::string html = faults > 0
                            ? "<section><h2>What to mend first</h2><p class=\"soft\">Faults by what "
                              "an eye sees of them from the standing views: how far the reflection "
-                             "of a lamp breaks, over the visible length. A gap counts as the angle "
-                             "that is as many times over its limit.</p>"
+                             "of a lamp breaks, over the visible length; the weight is both, in "
+                             "square arc minutes. A change of a stripe's width counts a sixth of a "
+                             "tear. A gap counts as the angle that is as many times over its "
+                             "limit, and a hole too.</p>"
                            : "<section><h2>Worst stretches of seams</h2>";
     html += "<div class=\"worst\">\n";
     for (std::size_t i = 0; i < items.size(); ++i) {
         const ShownItem& item = items[i];
         html +=
-            item.seam != no_index
-                ? html_seam_card(report, i + 1, item.seam, item.fault ? note_on(*item.fault) : "")
-                : card(report, i + 1, item, findings[item.fault->findings.front()]);
+            item.seam == no_index
+                ? card(report, i + 1, item, whole)
+                : html_seam_card(
+                      report, i + 1, item,
+                      item.fault ? sight_note(*item.fault) + also_note(*item.fault, whole) : "");
     }
     html += "</div>";
     if (faults > items.size())
@@ -101,14 +143,14 @@ std::string html_first_screen(const Report& report) {
 std::string html_hidden(const Report& report) {
     const std::vector<TriageItem>& hidden = report.triage.hidden;
     if (hidden.empty()) return "";
-    const std::vector<Check> findings = whole_inspection(report).findings;
+    const Inspection whole = whole_inspection(report);
     std::string html =
         "<section><h2>Faults in hidden places</h2><p class=\"soft\">No standing view shows more "
-        "than a hundredth of their length from outside: flanges, hems, inner sides. They have "
-        "their part in the verdict.</p>" +
+        "than a hundredth of their length from outside: flanges, hems, inner sides. Findings "
+        "among them have their part in the verdict.</p>" +
         html_table_head({"#", "faces", "mend", "what", "length mm", "place x, y, z"}, "faces");
     for (std::size_t i = 0; i < hidden.size(); ++i)
-        html += row(i + 1, hidden[i], findings[hidden[i].findings.front()]);
+        html += row(i + 1, hidden[i], numbered_check(whole, hidden[i].findings.front()));
     return html + std::string(html_table_end) + "</section>\n";
 }
 

@@ -11,19 +11,34 @@
 namespace keiko {
 namespace {
 
+/// The section that a number of the head leads to, and a word on the thing counted.
+struct Target {
+    std::string_view section, meaning = {};
+};
+constexpr Target of_seams{"seams",
+                          "A stretch is a part of a seam: smooth, a crease, or a run-out."};
+constexpr Target of_run_outs{"seams",
+                             "A run-out is the end of a crease that fades into the surface."};
+constexpr Target of_scraps{"scraps", "A scrap is a stretch too short to be a finding by itself."};
+constexpr Target of_lines{"lines", "Reflections of lamps that break where they cross a seam."};
+constexpr Target of_accepted{"accepted"}, of_coverage{"coverage"}, of_faces{"faces"},
+    of_file{"file"};
+
 std::string count(std::string_view tone, const std::string& number, bool none,
-                  std::string_view label) {
-    return "<div class=\"card count " + std::string(tone) + (none ? " none" : "") + "\"><b>" +
-           number + "</b>" + std::string(label) + "</div>";
+                  std::string_view label, const Target& target) {
+    return "<a class=\"card count " + std::string(tone) + (none ? " none" : "") + "\" href=\"#" +
+           std::string(target.section) + "\" title=\"" + std::string(target.meaning) + "\"><b>" +
+           number + "</b>" + std::string(label) + "</a>";
 }
 
-std::string count(std::string_view tone, std::size_t number, std::string_view label) {
-    return count(tone, std::to_string(number), number == 0, label);
+std::string count(std::string_view tone, std::size_t number, std::string_view label,
+                  const Target& target) {
+    return count(tone, std::to_string(number), number == 0, label, target);
 }
 
 std::string count(std::string_view tone, std::size_t number, std::string_view one,
-                  std::string_view several) {
-    return count(tone, number, number == 1 ? one : several);
+                  std::string_view several, const Target& target) {
+    return count(tone, number, number == 1 ? one : several, target);
 }
 
 std::string percent(double share, int decimals = 1) {
@@ -91,26 +106,31 @@ std::string html_verdict(const Report& report) {
         html += "<div><b>" + warning + "</b></div>";
     html += "</div></header>\n";
     html += "<div class=\"counts\">" +
-            count("fail", counts.fail, "stretch fails", "stretches fail") +
-            count("undecided", counts.undecided, "undecided") + count("pass", counts.pass, "pass") +
-            count("crease", counts.creases, "crease", "creases");
-    if (counts.run_outs > 0) html += count("crease", counts.run_outs, "run-out", "run-outs");
-    if (counts.scraps > 0) html += count("crease", counts.scraps, "scrap", "scraps");
+            count("fail", counts.fail, "stretch fails", "stretches fail", of_seams) +
+            count("undecided", counts.undecided, "undecided", of_seams) +
+            count("pass", counts.pass, "pass", of_seams) +
+            count("crease", counts.creases, "crease", "creases", of_seams);
+    if (counts.run_outs > 0)
+        html += count("crease", counts.run_outs, "run-out", "run-outs", of_run_outs);
+    if (counts.scraps > 0) html += count("crease", counts.scraps, "scrap", "scraps", of_scraps);
     if (counts.accepted > 0)
-        html += count("crease", counts.accepted, "stretch accepted", "stretches accepted");
+        html +=
+            count("crease", counts.accepted, "stretch accepted", "stretches accepted", of_accepted);
     if (report.lines)
         html += count("fail", count_crossings(*report.lines).fail, "line crossing fails",
-                      "line crossings fail");
+                      "line crossings fail", of_lines);
     if (report.coverage)
         html += count("open", percent(1 - report.coverage->covered), report.coverage->covered >= 1,
-                      "not covered");
+                      "not covered", of_coverage);
     if (judges_faces(inspection.preset))
-        html += count("fail", inspection.face_counts.fail, "faces fail") +
-                count("undecided", inspection.face_counts.undecided, "faces undecided");
+        html += count("fail", inspection.face_counts.fail, "faces fail", of_faces) +
+                count("undecided", inspection.face_counts.undecided, "faces undecided", of_faces);
     if (inspection.face_counts.accepted > 0)
-        html += count("crease", inspection.face_counts.accepted, "face accepted", "faces accepted");
+        html += count("crease", inspection.face_counts.accepted, "face accepted", "faces accepted",
+                      of_accepted);
     if (!inspection.facts.lost_faces.empty())
-        html += count("fail", inspection.facts.lost_faces.size(), "face lost", "faces lost");
+        html +=
+            count("fail", inspection.facts.lost_faces.size(), "face lost", "faces lost", of_file);
     return html + "</div>\n";
 }
 
@@ -118,9 +138,10 @@ std::string html_coverage(const Report& report) {
     if (!report.coverage) return "";
     const CoverageSummary& coverage = *report.coverage;
     const double share = std::clamp(coverage.covered, 0.0, 1.0);
-    std::string html = "<section><h2>Coverage</h2><div class=\"card coverage\"><b>" +
-                       percent(share) + "</b> of the surface in view mirrors the lamps of " +
-                       html_escaped(coverage.rig) + html_bar(share);
+    std::string html =
+        "<section id=\"coverage\"><h2>Coverage</h2><div class=\"card coverage\"><b>" +
+        percent(share) + "</b> of the surface in view mirrors the lamps of " +
+        html_escaped(coverage.rig) + html_bar(share);
     if (share >= 1)
         html += "<div class=\"soft\">Nothing was left out.</div>";
     else if (coverage.unreached.empty())

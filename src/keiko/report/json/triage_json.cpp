@@ -37,7 +37,7 @@ Json profile_of(const TriageItem& item, const TriagedFaults& faults, const Inspe
 }
 
 Json fault_json(const TriageItem& item, const TriagedFaults& faults, const Inspection& inspection) {
-    const Check& worst = inspection.findings.at(item.findings.front());
+    const Check& worst = numbered_check(inspection, item.findings.front());
     Json json = item_json(item);
     json["verdict"] = name_of(worst.worst.verdict);
     json["faces"] = worst.faces;

@@ -27,7 +27,7 @@ p { margin: 0 0 8px; }
 .soft { color: var(--soft); }
 .small { font-size: 13px; }
 .card { background: var(--card); border: 1px solid var(--line); border-radius: 10px; }
-.fail { --tone: var(--fail); } .undecided { --tone: var(--undecided); }
+.fail { --tone: var(--fail); } .undecided, .look { --tone: var(--undecided); }
 .pass { --tone: var(--pass); } .crease { --tone: var(--crease); } .open { --tone: var(--open); }
 .head { display: flex; gap: 24px; align-items: center; padding: 20px 24px; flex-wrap: wrap;
   border-left: 6px solid var(--tone); }
@@ -37,6 +37,7 @@ p { margin: 0 0 8px; }
 .counts { display: grid; grid-template-columns: repeat(auto-fit, minmax(112px, 1fr)); gap: 12px;
   margin-top: 12px; }
 .count { padding: 12px 16px; }
+.count { color: inherit; text-decoration: none; }
 .count b { display: block; font-size: 26px; font-weight: 680; line-height: 1.2; color: var(--tone); }
 .count.none b { color: var(--soft); font-weight: 500; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(340px, 100%), 1fr)); gap: 16px; }

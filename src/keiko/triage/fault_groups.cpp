@@ -1,0 +1,179 @@
+#include "keiko/triage/fault_groups.h"
+
+#include "keiko/base/parallel.h"
+#include "keiko/math/disjoint_sets.h"
+#include "keiko/scene/symmetry.h"
+#include "keiko/triage/continuations.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+/// Gaps are closed by other means than lines are rebuilt.
+bool are_mended_alike(const FaultUnit& a, const FaultUnit& b) {
+    return (a.mending == Mending::position) == (b.mending == Mending::position);
+}
+
+/// True if two stretches are images of each other, within a share of their length.
+bool are_images(const MeasuredSeam& a, const MeasuredSeam& b, const MirrorPlane& mirror) {
+    constexpr double share = 0.01;
+    const double slack = share * std::max(a.length, b.length);
+    return std::abs(a.length - b.length) <= slack &&
+           (mirror.image(a.middle) - b.middle).length() <= slack &&
+           std::abs(mirror.distance(a.middle)) > slack;
+}
+
+class Grouping {
+public:
+    Grouping(const Inspection& inspection, const std::vector<FaultUnit>& units, const Box3& body)
+        : inspection_(inspection), units_(units), body_(body), has_image_(units.size()) {}
+
+    std::vector<FaultGroup> groups() {
+        std::vector<FaultGroup> groups = joined();
+        sort(groups);
+        std::vector<FaultGroup> merged = merged_by_glance(groups);
+        sort(merged);
+        return merged;
+    }
+
+private:
+    const MeasuredSeam& seam(std::size_t unit) const {
+        return inspection_.seams[units_[unit].seam];
+    }
+    std::vector<FaultGroup> joined();
+    void join_lines(DisjointSets& sets) const;
+    void join_images(DisjointSets& sets);
+    FaultGroup group_of(std::vector<std::size_t> members) const;
+    void sort(std::vector<FaultGroup>& groups) const;
+    std::vector<FaultGroup> merged_by_glance(const std::vector<FaultGroup>& groups) const;
+    bool is_in_glance(const FaultGroup& group, const FaultGroup& worse) const;
+
+    const Inspection& inspection_;
+    const std::vector<FaultUnit>& units_;
+    Box3 body_;
+    std::vector<bool> has_image_; ///< of each unit
+};
+
+/// Stretches of one line, and those that go on where another ends.
+void Grouping::join_lines(DisjointSets& sets) const {
+    std::vector<std::size_t> of_seams;
+    std::vector<const MeasuredSeam*> stretches;
+    std::map<std::pair<std::uint32_t, bool>, std::size_t> first_of_line; // with gaps, and without
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+        if (units_[i].seam == no_index) continue;
+        of_seams.push_back(i);
+        stretches.push_back(&seam(i));
+        const bool is_gap = units_[i].mending == Mending::position;
+        const auto [first, is_new] = first_of_line.try_emplace(std::pair(seam(i).line, is_gap), i);
+        if (!is_new) sets.join(i, first->second);
+    }
+    const LineReach reach{inspection_.join, glance_of(body_) / 4};
+    for (const auto& [a, b] : continuations(stretches, reach))
+        if (are_mended_alike(units_[of_seams[a]], units_[of_seams[b]]))
+            sets.join(of_seams[a], of_seams[b]);
+}
+
+void Grouping::join_images(DisjointSets& sets) {
+    const MirrorPlane mirror{1, (body_.lower.y + body_.upper.y) / 2};
+    for (std::size_t j = 1; j < units_.size(); ++j) {
+        check_stop();
+        for (std::size_t i = 0; i < j; ++i) {
+            if (units_[i].seam == no_index || units_[j].seam == no_index ||
+                !are_mended_alike(units_[i], units_[j]) || !are_images(seam(i), seam(j), mirror))
+                continue;
+            has_image_[i] = has_image_[j] = true;
+            sets.join(i, j);
+        }
+    }
+}
+
+/// Groups of stretches that are one line, or images of each other.
+std::vector<FaultGroup> Grouping::joined() {
+    DisjointSets sets(units_.size());
+    join_lines(sets);
+    join_images(sets);
+    std::map<std::size_t, std::vector<std::size_t>> members;
+    for (std::size_t i = 0; i < units_.size(); ++i) members[sets.root(i)].push_back(i);
+    std::vector<FaultGroup> groups;
+    for (auto& [root, of_group] : members) groups.push_back(group_of(std::move(of_group)));
+    return groups;
+}
+
+FaultGroup Grouping::group_of(std::vector<std::size_t> members) const {
+    std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+        return units_[a].sight.is_worse_than(units_[b].sight);
+    });
+    FaultGroup group;
+    for (const std::size_t i : members) {
+        group.sight.add(units_[i].sight);
+        if (has_image_[i]) group.mirrored = true;
+    }
+    group.units = std::move(members);
+    return group;
+}
+
+/// The worst first; among equals the one with the earliest finding.
+void Grouping::sort(std::vector<FaultGroup>& groups) const {
+    const auto first_finding = [&](const FaultGroup& group) {
+        std::size_t first = units_[group.units.front()].findings.front();
+        for (const std::size_t i : group.units) first = std::min(first, units_[i].findings.front());
+        return first;
+    };
+    std::stable_sort(groups.begin(), groups.end(), [&](const FaultGroup& a, const FaultGroup& b) {
+        if (a.sight.is_worse_than(b.sight)) return true;
+        return !b.sight.is_worse_than(a.sight) && first_finding(a) < first_finding(b);
+    });
+}
+
+/// True if each unit of a group is seen in one glance with a unit of a worse one.
+bool Grouping::is_in_glance(const FaultGroup& group, const FaultGroup& worse) const {
+    const double glance = glance_of(body_);
+    const auto are_close = [&](std::size_t i, std::size_t j) {
+        const Sight &a = units_[i].sight, &b = units_[j].sight;
+        return (a.place - b.place).length() + std::max(a.spread, b.spread) <= glance;
+    };
+    return std::all_of(group.units.begin(), group.units.end(), [&](std::size_t i) {
+        return std::any_of(worse.units.begin(), worse.units.end(),
+                           [&](std::size_t j) { return are_close(i, j); });
+    });
+}
+
+/// Each group with those that belong to it. Groups are compared as they were joined, so that a row
+/// of faults does not become one.
+std::vector<FaultGroup> Grouping::merged_by_glance(const std::vector<FaultGroup>& groups) const {
+    std::vector<bool> is_taken(groups.size());
+    std::vector<FaultGroup> merged;
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+        if (is_taken[i]) continue;
+        check_stop();
+        std::vector<std::size_t> members = groups[i].units;
+        for (std::size_t j = i + 1; j < groups.size(); ++j) {
+            if (is_taken[j] || groups[j].sight.is_hidden() != groups[i].sight.is_hidden() ||
+                !is_in_glance(groups[j], groups[i]))
+                continue;
+            is_taken[j] = true;
+            members.insert(members.end(), groups[j].units.begin(), groups[j].units.end());
+        }
+        merged.push_back(group_of(std::move(members)));
+    }
+    return merged;
+}
+
+} // namespace
+
+double glance_of(const Box3& body) {
+    constexpr double most = 60, share = 0.1;
+    return std::min(most, share * body.size());
+}
+
+std::vector<FaultGroup> fault_groups(const Inspection& inspection,
+                                     const std::vector<FaultUnit>& units, const Box3& body) {
+    return Grouping(inspection, units, body).groups();
+}
+
+} // namespace keiko

@@ -1,0 +1,74 @@
+#include "keiko/triage/fault_units.h"
+
+#include "keiko/inspect/seams/course_distance.h"
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+class UnitMaker {
+public:
+    explicit UnitMaker(const Inspection& inspection) : inspection_(inspection) {
+        const std::size_t findings = inspection.findings.size();
+        const auto is_of_line = [&](std::size_t i) {
+            const Check& check = inspection.findings[i];
+            return check.seam == no_index && check.face == no_index;
+        };
+        for (std::size_t i = 0; i < findings; ++i)
+            if (!is_of_line(i)) add(i, {});
+        for (std::size_t i = 0; i < findings; ++i)
+            if (is_of_line(i)) add_line(i);
+        for (std::size_t i = 0; i < inspection.looks.size(); ++i)
+            if (inspection.looks[i].opening_length > 0) add_opening(findings + i);
+    }
+    std::vector<FaultUnit> units() && { return std::move(units_); }
+
+private:
+    using Key = std::tuple<std::uint32_t, std::uint32_t, Mending, std::string>;
+
+    void add(std::size_t finding, const std::string& line_over) {
+        const Check& check = inspection_.findings[finding];
+        const Mending mending = check.seam == no_index ? mending_of(check) : Mending::layout;
+        const auto [at, is_new] =
+            known_.try_emplace(Key(check.seam, check.face, mending, line_over), units_.size());
+        if (is_new) units_.push_back({check.seam, check.face, mending_of(check), {}, {}});
+        units_[at->second].findings.push_back(finding);
+    }
+    void add_line(std::size_t finding) {
+        const Check& check = inspection_.findings[finding];
+        FaultUnit* nearest = nullptr;
+        double distance = HUGE_VAL;
+        for (FaultUnit& unit : units_) {
+            if (unit.seam == no_index || inspection_.seams[unit.seam].faces != check.faces)
+                continue;
+            const double own =
+                distance_from_course(inspection_.seams[unit.seam], check.worst.place);
+            if (!nearest || own < distance) nearest = &unit, distance = own;
+        }
+        if (nearest)
+            nearest->findings.push_back(finding);
+        else
+            add(finding, check.faces);
+    }
+    void add_opening(std::size_t number) {
+        const Check& check = numbered_check(inspection_, number);
+        units_.push_back({no_index, check.face, mending_of(check), {number}, {}});
+    }
+
+    const Inspection& inspection_;
+    std::vector<FaultUnit> units_;
+    std::map<Key, std::size_t> known_;
+};
+
+} // namespace
+
+std::vector<FaultUnit> fault_units(const Inspection& inspection) {
+    return UnitMaker(inspection).units();
+}
+
+} // namespace keiko

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "keiko/inspect/inspection.h"
+#include "keiko/triage/mending.h"
+#include "keiko/triage/standing_eyes.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace keiko {
+
+/// Findings that are one fault wherever they lie: those of one stretch, those of one face that ask
+/// for the same mending, those of lines over what has no other finding, or an opening.
+struct FaultUnit {
+    std::uint32_t seam = no_index;     ///< stretch, into Inspection::seams
+    std::uint32_t face = no_index;     ///< into Inspection::faces
+    Mending mending = Mending::layout; ///< that of its first finding
+    std::vector<std::size_t> findings; ///< for numbered_check(), rising
+    Sight sight;                       ///< empty at first
+};
+
+/// All findings of an inspection and its openings, each in one unit. Findings of lines belong to
+/// the nearest stretch with findings between the same faces.
+std::vector<FaultUnit> fault_units(const Inspection& inspection);
+
+} // namespace keiko
