@@ -22,9 +22,9 @@ bool is_tangential(const std::vector<Hit>& hits) {
 /// Point of a p-curve, by Bernstein sums.
 Vec2 point_of(const BezierCurveView& curve, double t) {
     const int degree = static_cast<int>(curve.points.size()) - 1;
-    const auto rows = bernstein_derivatives(degree, t, 0);
+    const BernsteinRow row = bernstein_values(degree, t);
     Vec3 sum(0);
-    for (std::size_t i = 0; i < curve.points.size(); ++i) sum += curve.points[i] * rows[0][i];
+    for (std::size_t i = 0; i < curve.points.size(); ++i) sum += curve.points[i] * row[i];
     return {sum.x / sum.z, sum.y / sum.z};
 }
 

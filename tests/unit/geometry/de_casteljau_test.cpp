@@ -23,7 +23,7 @@ std::vector<double> any_coefficients(Random& random, std::size_t count) {
 /// The polynomial as the sum over Bernstein's.
 double sum_over_basis(const std::vector<double>& c, double t) {
     const int degree = static_cast<int>(c.size()) - 1;
-    const BernsteinRow row = bernstein_derivatives(degree, t, 0)[0];
+    const BernsteinRow row = bernstein_values(degree, t);
     double sum = 0;
     for (std::size_t i = 0; i < c.size(); ++i) sum += c[i] * row[i];
     return sum;

@@ -51,10 +51,12 @@ void find(const Stretch& stretch, double noise, std::vector<double>& roots) {
 
 } // namespace
 
-std::array<BernsteinRow, 4> bernstein_derivatives(int degree, double t, int order) {
-    assert(degree >= 0 && degree <= max_degree && order >= 0 && order <= 3);
-    return bernstein_rows<max_degree + 1>(static_cast<std::size_t>(degree), t,
-                                          static_cast<std::size_t>(order));
+BernsteinRow bernstein_values(int degree, double t) {
+    assert(degree >= 0 && degree <= max_degree);
+    BernsteinRow row{};
+    row[0] = 1;
+    for (std::size_t n = 1; n <= static_cast<std::size_t>(degree); ++n) raise_degree(row, n, t);
+    return row;
 }
 
 std::vector<double> bernstein_roots(std::span<const double> coefficients, double noise) {

@@ -15,12 +15,9 @@ constexpr double unit_roundoff = std::numeric_limits<double>::epsilon() / 2;
 
 /// Values of the Bernstein polynomials at t, 0 to 1.
 std::vector<double> basis(int degree, double t) {
-    std::vector<double> row{1};
-    for (int n = 1; n <= degree; ++n) {
-        row.push_back(t * row.back());
-        for (std::size_t i = row.size() - 2; i > 0; --i) row[i] = (1 - t) * row[i] + t * row[i - 1];
-        row.front() *= 1 - t;
-    }
+    std::vector<double> row(static_cast<std::size_t>(degree) + 1);
+    row.front() = 1;
+    for (std::size_t n = 1; n < row.size(); ++n) raise_degree(row, n, t);
     return row;
 }
 
@@ -103,10 +100,12 @@ BernsteinField BernsteinField::derivative(bool by_u) const {
     const int degree = by_u ? degree_u_ : degree_v_;
     if (degree == 0) return BernsteinField();
     const int rows = degree_u_ - (by_u ? 1 : 0), columns = degree_v_ - (by_u ? 0 : 1);
-    std::vector<double> slopes;
+    std::vector<double> slopes(static_cast<std::size_t>(rows + 1) *
+                               static_cast<std::size_t>(columns + 1));
+    auto next = slopes.begin();
     for (int i = 0; i <= rows; ++i)
         for (int j = 0; j <= columns; ++j)
-            slopes.push_back(degree * (at(i + (by_u ? 1 : 0), j + (by_u ? 0 : 1)) - at(i, j)));
+            *next++ = degree * (at(i + (by_u ? 1 : 0), j + (by_u ? 0 : 1)) - at(i, j));
     return {rows, columns, std::move(slopes),
             degree * (2 * rounding_ + 4 * unit_roundoff * magnitude())};
 }

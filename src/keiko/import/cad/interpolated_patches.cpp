@@ -51,7 +51,7 @@ const Matrix& to_bernstein() {
     static const Matrix matrix = [] {
         Matrix values{};
         for (std::size_t k = 0; k < order; ++k) {
-            const auto row = bernstein_derivatives(degree, node(k), 0)[0];
+            const auto row = bernstein_values(degree, node(k));
             std::copy_n(row.begin(), order, values[k].begin());
         }
         return inverted(values);

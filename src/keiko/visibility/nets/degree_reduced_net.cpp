@@ -159,7 +159,7 @@ double node(std::size_t i) {
 NodeMatrix coefficients_of_values() {
     NodeMatrix a{}, inverse{};
     for (std::size_t i = 0; i < nodes; ++i) {
-        const auto row = bernstein_derivatives(max_occluder_degree, node(i), 0)[0];
+        const auto row = bernstein_values(max_occluder_degree, node(i));
         for (std::size_t j = 0; j < nodes; ++j) a[i][j] = row[j];
         inverse[i][i] = 1;
     }
@@ -188,7 +188,7 @@ std::vector<Vec4> reduced_line(const std::vector<Vec4>& line) {
     const int degree = static_cast<int>(line.size()) - 1;
     std::vector<Vec4> coefficients(nodes, Vec4(0));
     for (std::size_t i = 0; i < nodes; ++i) {
-        const auto row = bernstein_derivatives(degree, node(i), 0)[0];
+        const auto row = bernstein_values(degree, node(i));
         Vec4 value(0);
         for (std::size_t j = 0; j < line.size(); ++j) value += line[j] * row[j];
         for (std::size_t j = 0; j < nodes; ++j) coefficients[j] += value * to_coefficients[j][i];
