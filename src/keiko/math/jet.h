@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/math/interval.h"
+#include "keiko/math/vec.h"
 
 #include <cmath>
 
@@ -99,6 +100,11 @@ Triple<T> operator*(const Triple<T>& a, const T& b) {
 /// Scalar product.
 template <class T>
 T dot(const Triple<T>& a, const Triple<T>& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+/// Scalar product with a constant vector.
+template <class T>
+T dot(const Triple<T>& a, const Vec3& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 /// Squared length.

@@ -63,7 +63,8 @@ double LineField::turn_gain(const Vec3& place, const Vec3& normal) const {
     const Vec3 beside = std::abs(n.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 e = n.cross(beside).normalized(), f = n.cross(e);
     const Triple<FirstJet> turned{{n.x, e.x, f.x}, {n.y, e.y, f.y}, {n.z, e.z, f.z}};
-    const LineRatio<FirstJet> value = ratio(constant<FirstJet>(place), turned);
+    const Triple<FirstJet> fixed{place.x, place.y, place.z};
+    const LineRatio<FirstJet> value = ratio(fixed, turned);
     const FirstJet v = value.above / value.below;
     return std::hypot(v.u, v.v);
 }

@@ -39,7 +39,7 @@ struct LineRatio {
     T ahead{}; ///< above 0 where the ray, or the normal towards the eye, runs to the C-plane
 
     /// 0 on the line of the level, and smooth where the quotient has poles.
-    T residual(double level) const { return above - below * T(level); }
+    T residual(double level) const { return above - below * level; }
 };
 
 /// The function on the surface whose level sets are the lines of one C-plane. It is the coordinate
@@ -59,25 +59,23 @@ public:
     const LineEye& eye() const { return eye_; }
 
     /// The quotient for numbers, jets and models alike. `shift` moves the origin of v. `weight`: by
-    /// which the place is multiplied, above 0.
-    template <class T>
+    /// which the place is multiplied, above 0; a number or, as it may vary, a T.
+    template <class T, class Weight = double>
     LineRatio<T> ratio(const Triple<T>& place, const Triple<T>& normal, double shift = 0,
-                       const T& weight = T(1.0)) const {
+                       const Weight& weight = 1) const {
         using std::sqrt;
         if (look_ == LineLook::isophote)
-            return {dot(normal, constant<T>(towards_lamps_)) - sqrt(length2(normal)) * T(shift),
+            return {dot(normal, towards_lamps_) - sqrt(length2(normal)) * shift,
                     sqrt(length2(normal)), T(1.0)};
         const Triple<T> view = towards(place, weight);
         const bool mirror = look_ == LineLook::reflection;
         const Triple<T> ray =
-            mirror ? view * length2(normal) - normal * (dot(view, normal) * T(2.0)) : normal;
-        const Triple<T> from_corner = place - constant<T>(plane_.origin) * weight;
-        const T across = dot(ray, constant<T>(plane_.v)),
-                down = dot(ray, constant<T>(plane_.normal));
-        const T height = dot(from_corner, constant<T>(plane_.normal));
-        return {
-            (dot(from_corner, constant<T>(plane_.v)) - weight * T(shift)) * down - height * across,
-            down * weight, mirror ? -height * down : height * down * dot(view, normal)};
+            mirror ? view * length2(normal) - normal * (dot(view, normal) * 2.0) : normal;
+        const Triple<T> from_corner = from(plane_.origin, place, weight);
+        const T across = dot(ray, plane_.v), down = dot(ray, plane_.normal);
+        const T height = dot(from_corner, plane_.normal);
+        return {(dot(from_corner, plane_.v) - T(weight * shift)) * down - height * across,
+                down * weight, mirror ? -height * down : height * down * dot(view, normal)};
     }
 
     /// Reflection of the C-plane at one place of the surface.
@@ -100,15 +98,17 @@ public:
     double turn_gain(const Vec3& place, const Vec3& normal) const;
 
 private:
-    template <class T>
-    static Triple<T> constant(const Vec3& w) {
-        return {T(w.x), T(w.y), T(w.z)};
+    /// A place, times its weight, from another one.
+    template <class T, class Weight>
+    static Triple<T> from(const Vec3& origin, const Triple<T>& place, const Weight& weight) {
+        return {place.x - T(weight * origin.x), place.y - T(weight * origin.y),
+                place.z - T(weight * origin.z)};
     }
     /// The camera ray to a place, times its weight unless it is parallel.
-    template <class T>
-    Triple<T> towards(const Triple<T>& place, const T& weight) const {
-        return eye_.parallel ? constant<T>(eye_.direction)
-                             : place - constant<T>(eye_.point) * weight;
+    template <class T, class Weight>
+    Triple<T> towards(const Triple<T>& place, const Weight& weight) const {
+        const Vec3& d = eye_.direction;
+        return eye_.parallel ? Triple<T>{T(d.x), T(d.y), T(d.z)} : from(eye_.point, place, weight);
     }
 
     LineLook look_;

@@ -78,6 +78,11 @@ double rounding_of(const BezierPatchView& patch, const std::vector<Vec4>& points
 /// derivatives.
 constexpr std::size_t order = 6;
 
+/// 1 / (i! j!) of the terms x^i y^j, in the order of a model's coefficients, to degree 4.
+constexpr std::array<double, 15> taylor_shares{1,        1,       1,       1.0 / 2, 1,
+                                               1.0 / 2,  1.0 / 6, 1.0 / 2, 1.0 / 2, 1.0 / 6,
+                                               1.0 / 24, 1.0 / 6, 1.0 / 4, 1.0 / 6, 1.0 / 24};
+
 /// A derivative of point and weight: its value at the centre, and its largest size anywhere.
 struct Derivative {
     Vec4 centre{0}, most{0};
@@ -116,8 +121,8 @@ struct Net {
         return largest;
     }
     Vec4 centre() const {
-        const std::vector<double> by_row = central_shares(rows),
-                                  by_column = central_shares(columns);
+        const CentralShares &by_row = central_shares()[rows],
+                            &by_column = central_shares()[columns];
         Vec4 sum(0);
         for (std::size_t i = 0; i < rows; ++i) {
             Vec4 row(0);
@@ -128,12 +133,21 @@ struct Net {
     }
 
 private:
-    /// The Bernstein polynomials at 1/2.
-    static std::vector<double> central_shares(std::size_t count) {
-        std::vector<double> shares(count, std::ldexp(1.0, 1 - static_cast<int>(count)));
-        for (std::size_t k = 1; k < count; ++k)
-            shares[k] = shares[k - 1] * static_cast<double>(count - k) / static_cast<double>(k);
-        return shares;
+    using CentralShares = std::array<double, max_degree + 1>;
+
+    /// The Bernstein polynomials at 1/2, by their number.
+    static const std::array<CentralShares, max_degree + 2>& central_shares() {
+        static const auto table = [] {
+            std::array<CentralShares, max_degree + 2> shares{};
+            for (std::size_t count = 1; count < shares.size(); ++count) {
+                shares[count][0] = std::ldexp(1.0, 1 - static_cast<int>(count));
+                for (std::size_t k = 1; k < count; ++k)
+                    shares[count][k] = shares[count][k - 1] * static_cast<double>(count - k) /
+                                       static_cast<double>(k);
+            }
+            return shares;
+        }();
+        return table;
     }
 };
 
@@ -150,8 +164,9 @@ public:
         largest_ = by_x.most();
         // Each difference at most doubles the errors, and half the degree multiplies them.
         double growth_x = 1;
+        Net net;
         for (std::size_t k = 0; k <= order; ++k, by_x.differentiate_by_x()) {
-            Net net = by_x;
+            net = by_x;
             double growth = growth_x;
             for (std::size_t l = 0; k + l <= order && !net.points.empty(); ++l) {
                 all_[k][l] = {k + l <= 5 ? net.centre() : Vec4(0),
@@ -162,25 +177,26 @@ public:
         }
     }
 
-    /// Taylor model of the derivative (k, l) along one axis, by Taylor's theorem.
-    TaylorModel model(std::size_t k, std::size_t l, int axis) const {
-        constexpr double factorial[] = {1, 1, 2, 6, 24};
+    /// Taylor models of the coordinates of the derivative (k, l), by Taylor's theorem.
+    std::array<TaylorModel, 4> models(std::size_t k, std::size_t l) const {
+        std::array<TaylorModel, 4> m;
         // Rounding of differences and sums of up to some ten terms each; the errors of the control
         // points come on top.
-        const double rounding = 5e-15 * largest_[axis];
-        TaylorModel m;
-        m.error = error_[axis] * all_[k][l].growth;
+        const Vec4 rounding = largest_ * 5e-15;
+        Vec4 error = error_ * all_[k][l].growth;
         std::size_t index = 0;
         for (std::size_t degree = 0; degree <= 4; ++degree)
-            for (std::size_t j = 0; j <= degree; ++j) {
+            for (std::size_t j = 0; j <= degree; ++j, ++index) {
                 const Derivative& term = all_[k + degree - j][l + j];
-                const double share = 1 / (factorial[degree - j] * factorial[j]);
+                const double share = taylor_shares[index];
                 if (degree < 4)
-                    m.c[index++] = term.centre[axis] * share;
+                    for (unsigned axis = 0; axis < 4; ++axis)
+                        m[axis].c[index] = term.centre[axis] * share;
                 else
-                    m.error += term.most[axis] * share;
-                m.error += rounding * term.growth * share;
+                    error += term.most * share;
+                error += rounding * term.growth * share;
             }
+        for (unsigned axis = 0; axis < 4; ++axis) m[axis].error = error[axis];
         return m;
     }
 
@@ -200,9 +216,10 @@ LevelledPatch::LevelledPatch(const BezierPatchView& patch, double rounding)
 PatchModel patch_model(const BezierPatchView& patch, double rounding) {
     const Derivatives d(patch, rounding);
     const auto of = [&](std::size_t k, std::size_t l) {
+        const std::array<TaylorModel, 4> m = d.models(k, l);
         const double constant = k + l == 0 ? 1 : 0;
-        return HomogeneousModel{{d.model(k, l, 0), d.model(k, l, 1), d.model(k, l, 2)},
-                                patch.rational() ? d.model(k, l, 3) : TaylorModel(constant)};
+        return HomogeneousModel{{m[0], m[1], m[2]},
+                                patch.rational() ? m[3] : TaylorModel(constant)};
     };
     return {of(0, 0), of(1, 0), of(0, 1), of(2, 0), of(1, 1), of(0, 2)};
 }
