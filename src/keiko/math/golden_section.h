@@ -1,15 +1,11 @@
 #pragma once
 
+#include "keiko/math/function_place.h"
+
 namespace keiko {
 
 /// The lesser part of the golden section, (3 - sqrt 5) / 2.
 constexpr double golden_section = 0.3819660112501051;
-
-/// A place of a function and its value there.
-struct FunctionPlace {
-    double at = 0;    ///< argument of the function
-    double value = 0; ///< of the function there
-};
 
 /// Golden-section search: a local minimum of `f` between `low` and `high`, from a place between
 /// them with a known value [Kiefer1953]. The bracket is narrowed until it is no wider than

@@ -1,6 +1,7 @@
 #include "keiko/inspect/basics/patch_lines.h"
 
 #include "keiko/base/job.h"
+#include "keiko/math/bracketed_root.h"
 
 #include <algorithm>
 #include <array>
@@ -174,24 +175,13 @@ std::vector<PatchLine> joined(std::vector<Arc> arcs) {
 
 } // namespace
 
-Vec2 ZeroFunction::root(Vec2 a, double at_a, Vec2 b, double at_b) const {
+Vec2 ZeroFunction::root(const Vec2& a, double at_a, const Vec2& b, double at_b) const {
     check_stop();
-    constexpr int secants = 30, most = 90;
-    for (int i = 0; i < most; ++i) {
-        const double share = i < secants ? at_a / (at_a - at_b) : 0.5;
-        const Vec2 middle = a + (b - a) * share;
-        const double value = (*this)(middle);
-        if (value == 0 || middle == a || middle == b) return middle;
-        if ((value < 0) == (at_a < 0)) {
-            a = middle, at_a = value;
-            if (i < secants) at_b /= 2;
-        } else {
-            b = a, at_b = at_a;
-            a = middle, at_a = value;
-        }
-        if ((b - a).length() < 1e-16) break;
-    }
-    return std::abs(at_a) < std::abs(at_b) ? a : b;
+    constexpr double rounding = 2e-15; // of the patch
+    const Vec2 way = b - a;
+    const auto at = [&](double share) { return a + way * share; };
+    return at(bracketed_root([&](double share) { return (*this)(at(share)); }, {0, at_a}, {1, at_b},
+                             rounding / way.length()));
 }
 
 std::optional<LinePoint> ZeroFunction::between(const LinePoint& a, const LinePoint& b,

@@ -25,10 +25,8 @@ public:
     /// The place of the patch at its parameters.
     virtual LinePoint point(const Vec2& uv) const = 0;
 
-    /// The root between two places of opposite sign, by the Illinois form of the secant rule
-    /// [DowellJarratt1971]. That keeps the root between its ends; halving replaces it where it is
-    /// slow.
-    Vec2 root(Vec2 a, double at_a, Vec2 b, double at_b) const;
+    /// The root on the straight line between two places of opposite sign.
+    Vec2 root(const Vec2& a, double at_a, const Vec2& b, double at_b) const;
 
     /// A point of the line between two others near each other on it, beside the given share of
     /// their chord; nullopt if no change of sign locates it.
