@@ -117,15 +117,24 @@ struct Piece {
     Box2 uv;
 };
 
+/// A field with its slopes by u and v.
+struct SlopedField {
+    explicit SlopedField(const BernsteinField& field)
+        : f(field), u(field.derivative(true)), v(field.derivative(false)) {}
+
+    const BernsteinField& f;
+    BernsteinField u, v;
+};
+
 /// True if a side is crossed at most once.
-bool clear_side(const BernsteinField& field, bool by_u, bool upper) {
-    return !field.side_range(by_u, upper).holds_zero() ||
-           !field.derivative(!by_u).side_range(by_u, upper).holds_zero();
+bool clear_side(const SlopedField& field, bool by_u, bool upper) {
+    return !field.f.side_range(by_u, upper).holds_zero() ||
+           !(by_u ? field.v : field.u).side_range(by_u, upper).holds_zero();
 }
 
 /// True if the zeros are at most one arc, strictly monotonic along u if `by_u`, else along v.
-bool one_arc(const BernsteinField& field, bool by_u) {
-    return !field.derivative(by_u).range().holds_zero() && clear_side(field, by_u, false) &&
+bool one_arc(const SlopedField& field, bool by_u) {
+    return !(by_u ? field.u : field.v).range().holds_zero() && clear_side(field, by_u, false) &&
            clear_side(field, by_u, true);
 }
 
@@ -160,8 +169,9 @@ FieldCells field_cells(const BernsteinField& field, const LineCellOptions& optio
             found.blank.push_back(piece.uv);
             continue;
         }
-        const bool over_v = one_arc(f, true);
-        if (over_v || one_arc(f, false)) {
+        const SlopedField sloped(f);
+        const bool over_v = one_arc(sloped, true);
+        if (over_v || one_arc(sloped, false)) {
             found.cells.push_back({piece.uv, 0, true, over_v});
             continue;
         }
@@ -171,7 +181,7 @@ FieldCells field_cells(const BernsteinField& field, const LineCellOptions& optio
             found.cells.push_back({piece.uv, 0, false, false});
             continue;
         }
-        const bool steeper_u = f.derivative(true).magnitude() >= f.derivative(false).magnitude();
+        const bool steeper_u = sloped.u.magnitude() >= sloped.v.magnitude();
         cut(piece, can_u && (!can_v || steeper_u), open);
     }
     return found;
