@@ -40,7 +40,7 @@ constexpr int tile_width = 64, tile_rows = 16;
 /// Sets the second fundamental form along the axes of the stored normal.
 void set_shape(DeepSample& sample, const Hit& hit, const Vec3& normal) {
     const SurfaceDerivatives surface = derivatives_of(hit);
-    if (!reliable_curvatures(surface, normal)) {
+    if (!has_reliable_curvatures(surface, normal)) {
         sample.shape_xx = sample.shape_xy = sample.shape_yy =
             std::numeric_limits<float>::quiet_NaN();
         return;

@@ -16,7 +16,7 @@ float section_curvature(const Hit& hit, const Ray& ray, const Vec3& plane) {
     constexpr double touching = 1e-6; // sine of the angle between the normals of plane and surface
     const SurfaceDerivatives derivatives = derivatives_of(hit);
     const Vec3 along = plane.cross(hit.normal);
-    if (!(along.length() > touching) || !reliable_curvatures(derivatives, hit.normal))
+    if (!(along.length() > touching) || !has_reliable_curvatures(derivatives, hit.normal))
         return unknown;
     const Vec3 seen = hit.normal.dot(ray.direction) > 0 ? -hit.normal : hit.normal;
     return static_cast<float>(normal_curvature(derivatives, seen, along));

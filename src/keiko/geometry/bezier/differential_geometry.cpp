@@ -71,8 +71,7 @@ PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& s, const Vec3
     return {mean + spread, mean - spread};
 }
 
-std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& s,
-                                                       const Vec3& normal) {
+bool has_reliable_curvatures(const SurfaceDerivatives& s, const Vec3& normal) {
     const FirstForm one = first_form(s);
     // The second form has the rounding error of its terms; the first one's least eigenvalue
     // magnifies it.
@@ -80,10 +79,17 @@ std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives&
     const double made_of = size + s.duu().length() + 2 * s.duv().length() + s.dvv().length();
     const double least_stretch = one.determinant() / (one.e + one.g);
     const double error = 4 * std::numeric_limits<double>::epsilon() * made_of / least_stretch;
-    const PrincipalCurvatures k = principal_curvatures(s, normal);
     constexpr double digits = 1e-3;
-    const double bend = std::max({std::abs(k.k1), std::abs(k.k2), 1 / size});
-    return least_stretch > 0 && error <= digits * bend ? std::optional(k) : std::nullopt;
+    if (!(least_stretch > 0)) return false;
+    if (error <= digits / size) return true; // nearly everywhere
+    const PrincipalCurvatures k = principal_curvatures(s, normal);
+    return error <= digits * std::max(std::abs(k.k1), std::abs(k.k2));
+}
+
+std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& s,
+                                                       const Vec3& normal) {
+    if (!has_reliable_curvatures(s, normal)) return std::nullopt;
+    return principal_curvatures(s, normal);
 }
 
 SecondForm second_form(const SurfaceDerivatives& s, const Vec3& normal, const Vec3& direction) {

@@ -26,9 +26,12 @@ struct PrincipalCurvatures {
 /// Principal curvatures at a regular point (du x dv not 0); needs derivatives of order 2.
 PrincipalCurvatures principal_curvatures(const SurfaceDerivatives& derivatives, const Vec3& normal);
 
-/// Principal curvatures with at least three digits beyond rounding, relative to them or to the
-/// curvature of a surface of the patch's own size. nullopt at and close to a pole, where the
+/// True if curvatures have at least three digits beyond rounding, relative to them or to the
+/// curvature of a surface of the patch's own size. False at and close to a pole, where the
 /// parameters coincide.
+bool has_reliable_curvatures(const SurfaceDerivatives& derivatives, const Vec3& normal);
+
+/// Principal curvatures; nullopt where they are not reliable.
 std::optional<PrincipalCurvatures> reliable_curvatures(const SurfaceDerivatives& derivatives,
                                                        const Vec3& normal);
 

@@ -74,7 +74,7 @@ private:
     std::optional<CombSample> sample_at(const LinePoint& at) const {
         const SurfaceDerivatives s = evaluate(view_, at.uv, 2);
         const std::optional<Vec3> normal = unit_normal(s, at.uv);
-        if (!normal || !reliable_curvatures(s, *normal)) return std::nullopt;
+        if (!normal || !has_reliable_curvatures(s, *normal)) return std::nullopt;
         const auto bend = bend_(s, at.uv, *normal);
         if (!bend) return std::nullopt;
         return CombSample{at.place, 0, *bend};

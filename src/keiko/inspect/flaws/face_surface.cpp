@@ -130,7 +130,7 @@ std::optional<SurfaceDerivatives> FaceSurface::evaluate(const Vec2& place, int o
 
 std::optional<Vec3> FaceSurface::normal(const SurfaceDerivatives& there) const {
     const Vec3 normal = there.du().cross(there.dv()).normalized() * sign_;
-    return reliable_curvatures(there, normal) ? std::optional(normal) : std::nullopt;
+    return has_reliable_curvatures(there, normal) ? std::optional(normal) : std::nullopt;
 }
 
 Vec2 FaceSurface::place_of(const Vec2& parameters) const {

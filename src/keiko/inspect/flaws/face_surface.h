@@ -39,7 +39,7 @@ public:
     /// Place of parameters of the face.
     Vec2 place_of(const Vec2& face_parameters) const;
     /// Outward unit normal by the derivatives at a place; nullopt at a pole and so close to it that
-    /// curvatures are rounding (reliable_curvatures).
+    /// curvatures are rounding (has_reliable_curvatures).
     std::optional<Vec3> normal(const SurfaceDerivatives& there) const;
 
     /// True if its patches are the cells of a grid, each of them one: a flaw search passes over
