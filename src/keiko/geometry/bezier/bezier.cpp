@@ -6,10 +6,11 @@
 namespace keiko {
 namespace {
 
-/// h[k][l] = d^(k+l) (w S, w) / du^k dv^l for k + l <= order; the others are not set.
+/// h[k][l] = d^(k+l) (w S, w) / du^k dv^l for k + l <= order; the others are 0.
 template <std::size_t order>
 using HomogeneousDerivatives = std::array<std::array<Vec4, order + 1>, order + 1>;
 
+/// The polynomials of a degree and their derivatives, at both parameters.
 template <std::size_t order, std::size_t size>
 using Basis = std::array<std::array<Vec2, size>, order + 1>;
 
@@ -50,7 +51,8 @@ HomogeneousDerivatives<order> homogeneous_derivatives(const BezierPatchView& pat
 constexpr std::array<std::array<double, 4>, 4> binomial{
     {{1, 0, 0, 0}, {1, 1, 0, 0}, {1, 2, 1, 0}, {1, 3, 3, 1}}};
 
-/// S = A / w, hence d[k][l] A = sum of binomials times w derivatives times S derivatives.
+/// S = A / w, hence d[k][l] A = sum of binomials times w derivatives times S derivatives. Constant
+/// indices let loops be unrolled.
 template <std::size_t k, std::size_t l, class Homogeneous>
 [[gnu::always_inline]] inline void divide(const Homogeneous& h, SurfaceDerivatives& s) {
     Vec3 value(h[k][l].x, h[k][l].y, h[k][l].z);
