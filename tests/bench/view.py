@@ -9,7 +9,6 @@ Each is the median of N requests on one connection, in ms; MB is the size of the
 number is the server's processor time a request, which other work on the machine leaves as it is: on two
 free cores an answer takes little more than half of it.
 """
-import argparse
 import http.client
 import json
 import os
@@ -18,7 +17,8 @@ import subprocess
 import time
 from pathlib import Path
 
-SURFACES = Path(__file__).resolve().parent.parent.parent / "surfaces"
+import view_arguments
+
 HEADER, SAMPLE, BOUNCE = 32, 32, 36
 
 
@@ -79,14 +79,11 @@ def bench(keiko: str, scene: Path, width: int, height: int, rounds: int):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("keiko")
-    parser.add_argument("scenes", nargs="*", type=Path)
-    parser.add_argument("--size", default="960x540")
+    parser = view_arguments.parser()
     parser.add_argument("--rounds", type=int, default=15)
     arguments = parser.parse_args()
     width, height = map(int, arguments.size.split("x"))
-    for scene in arguments.scenes or [SURFACES / "concept-car-scene.toml", SURFACES / "hood-scene.toml"]:
+    for scene in arguments.scenes:
         bench(arguments.keiko, scene, width, height, arguments.rounds)
 
 

@@ -7,7 +7,6 @@ For each scene: a row of lamps dragged in its plane and along its normal, and th
 from the new eye, and drafts as they come). Least and median of the page's own times by performance.now(), in ms, and the processor
 time of the page's main thread a frame, which other work on the machine changes less.
 """
-import argparse
 import statistics
 import subprocess
 import sys
@@ -17,11 +16,11 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 import browser
+import view_arguments
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.by import By
 from selenium.webdriver.common.keys import Keys
 
-SURFACES = Path(__file__).resolve().parent.parent.parent / "surfaces"
 COLLECT = """window.frames_taken = [];
 new MutationObserver(() => frames_taken.push(Number(document.getElementById('picture').dataset.frame)))
   .observe(document.getElementById('picture'), {attributeFilter: ['data-frame']});"""
@@ -107,12 +106,8 @@ def bench(keiko: str, scene: Path, size: str):
 
 
 def main():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("keiko")
-    parser.add_argument("scenes", nargs="*", type=Path)
-    parser.add_argument("--size", default="960x540")
-    arguments = parser.parse_args()
-    for scene in arguments.scenes or [SURFACES / "concept-car-scene.toml", SURFACES / "hood-scene.toml"]:
+    arguments = view_arguments.parser().parse_args()
+    for scene in arguments.scenes:
         bench(arguments.keiko, scene, arguments.size)
 
 
