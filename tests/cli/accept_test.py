@@ -96,7 +96,7 @@ class Accept(KeikoTest):
                 (self.accept("report.json", "1", "--until", "31.1.2027"), "--until: '31.1.2027' is no date as 2026-11-27"),
                 (self.accept("report.json", "1", "--until", "2026-11-26"), "--until: '2026-11-26' is over already: it is 2026-11-27"),
                 (self.check(GAP, day="soon"), "--today: 'soon' is no date as 2026-11-27"),
-                (self.keiko("check", GAP, "--accepted", "bad.json", "-q"), "bad.json:entry 1: a key is missing or not of the right kind"),
+                (self.keiko("check", GAP, "--accepted", "bad.json", "-q"), "bad.json:entry 1, faces: is missing"),
                 (self.keiko("check", GAP, "--accepted", "ok.json", "--json", "ok.json", "-q"), "ok.json: is an input as well")):
             self.assertEqual((run.returncode, run.stdout, run.stderr), (2, "", f"keiko: {reason}\n"))
 

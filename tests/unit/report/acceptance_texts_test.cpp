@@ -68,9 +68,10 @@ TEST(AcceptanceFile, NamesTheEntryAndTheReason) {
     EXPECT_EQ(of_second("verdict", "pass"),
               "a.json:entry 2, verdict: is neither fail nor undecided");
     EXPECT_EQ(of_second("whom", "Ann"), "a.json:entry 2: unknown key \"whom\"");
-    EXPECT_EQ(of_second("place", "here"),
-              "a.json:entry 2: a key is missing or not of the right kind");
+    EXPECT_EQ(of_second("place", "here"), "a.json:entry 2, place: is no place [x, y, z]");
     EXPECT_EQ(error_of([](json& file) { file["accepted"][0].erase("who"); }),
+              "a.json:entry 1, who: is missing");
+    EXPECT_EQ(error_of([](json& file) { file["accepted"][0].erase("value"); }),
               "a.json:entry 1: a key is missing or not of the right kind");
     EXPECT_EQ(error_of([](json& file) { file["accepted"].push_back(file["accepted"][0]); }),
               "a.json:entry 3: accepts what entry 1 does");

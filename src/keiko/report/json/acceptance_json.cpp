@@ -1,9 +1,9 @@
 #include "keiko/base/error.h"
 #include "keiko/report/content/acceptance_texts.h"
 #include "keiko/report/markup/json_errors.h"
+#include "keiko/report/markup/json_members.h"
 
 #include <cmath>
-#include <initializer_list>
 #include <limits>
 #include <stdexcept>
 
@@ -13,18 +13,6 @@ namespace {
 constexpr const char* format = "keiko-accepted/1";
 constexpr const char* list_key = "accepted";
 constexpr double longest_reach = 1000; ///< mm
-
-void require(bool holds, const std::string& key, const std::string& reason) {
-    if (!holds) throw Error("", key, reason);
-}
-
-/// The text at a key, which may be missing only if it is optional.
-std::string text_at(const Json& json, const char* key, bool optional = false) {
-    if (optional && !json.contains(key)) return "";
-    std::string text = json.at(key).get<std::string>();
-    require(!text.empty(), key, "is empty");
-    return text;
-}
 
 std::string date_at(const Json& json, const char* key, bool optional = false) {
     std::string date = text_at(json, key, optional);
@@ -37,12 +25,6 @@ double number_at(const Json& json, const char* key) {
     const double number = json.at(key).get<double>();
     require(std::isfinite(number) && number >= 0, key, "is not a number from 0 on");
     return number;
-}
-
-Vec3 place_at(const Json& json, const char* key) {
-    const Vec3 place = point_from(json.at(key));
-    require(std::isfinite(place.length()), key, "is not finite");
-    return place;
 }
 
 Verdict verdict_at(const Json& json) {
@@ -58,13 +40,6 @@ std::string code_at(const Json& json) {
     } catch (const std::out_of_range&) {
         throw Error("", "code", "there is no criterion " + in_quotes(code));
     }
-}
-
-void require_known_keys(const Json& json, std::initializer_list<const char*> known) {
-    require(json.is_object(), "", "is no object");
-    for (const auto& [key, value] : json.items())
-        require(std::find(known.begin(), known.end(), key) != known.end(), "",
-                "unknown key " + in_quotes(key));
 }
 
 /// Keys common to an entry and a finding of a report.
