@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Fails when a scene or rig of the repository breaks docs/schema/keiko.schema.json, when an example of
 its pages does, when the schema lets a misspelt key pass, or when docs/scene-format.md leaves out a key.
-The same for examples of accepted findings, docs/schema/keiko-accepted.schema.json and docs/file-formats.md.
+The same for examples of accepted findings and of analyses, their schemas and docs/file-formats.md.
 
 usage: tests/check_schema.py; needs python3-jsonschema, and is skipped (exit code 77) without it
 """
@@ -17,6 +17,7 @@ ROOT = Path(__file__).resolve().parent.parent
 SCHEMAS = {
     "keiko.schema.json": (("keiko-scene/1", "keiko-rig/1"), "scene-format.md"),
     "keiko-accepted.schema.json": (("keiko-accepted/1",), "file-formats.md"),
+    "keiko-analysis.schema.json": (("keiko-analysis/1",), "file-formats.md"),
 }
 SKIPPED = 77
 

@@ -10,9 +10,10 @@ import threading
 import time
 import tomllib
 import unittest
+import warnings
 from pathlib import Path
 
-from keiko_process import BINARY, SOURCE, KeikoTest, surface
+from keiko_process import ASLANT, BINARY, SOURCE, KeikoTest, surface
 
 try:
     import jsonschema
@@ -81,6 +82,18 @@ class Server:
         if self.process.returncode is None:
             self.process.kill()
             self.process.communicate()
+
+
+def require_faults(faults: dict):
+    """Fails unless faults keep to their schema, which refers to that of profiles."""
+    if not jsonschema:
+        return
+    path = SCHEMA.parent / "keiko-faults.schema.json"
+    schema = json.loads(path.read_text())
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)
+        resolver = jsonschema.RefResolver(path.as_uri(), schema)
+        jsonschema.Draft202012Validator(schema, resolver=resolver).validate(faults)
 
 
 def passes(message: bytes) -> list:
@@ -216,6 +229,8 @@ class Answers(ViewTest):
         answer = json.loads(text)
         if jsonschema and answer["format"].startswith("keiko-view-"):
             jsonschema.validate(answer, json.loads(SCHEMA.read_text()))
+        if answer["format"] == "keiko-faults/1":
+            require_faults(answer)
         return answer
 
     def test_the_page_and_its_safety(self):
@@ -321,6 +336,17 @@ class Answers(ViewTest):
         near = min(sum((a - b) ** 2 for a, b in zip(place, fault["place"])) ** 0.5 for place in ends)
         self.assertLess(near, fault["length"] / 10)
 
+    def test_lines_of_the_lamps_add_faults_of_the_view(self):
+        self.write("aslant.toml", ASLANT)
+        self.server = self.serve(surface("seam-g1-angle.step"), "--rig", "aslant.toml")
+        geometry = self.json_of("GET", "/inspect")
+        with_lines = self.json_of("POST", "/inspect")
+        self.keiko("inspect", surface("seam-g1-angle.step"), "-o", "out", "--rig", "aslant.toml", "--view", "auto", "-q")
+        self.assertEqual(with_lines, json.loads((self.folder / "out/faults.json").read_text()))
+        self.assertGreater(sum(len(item["findings"]) for item in with_lines["items"]),
+                           sum(len(item["findings"]) for item in geometry["items"]))
+        self.assertIn("C-plane", self.error_of(self.server.ask("POST", "/inspect", "c_plane = []"), 400))
+
     def test_hidden_faces_show_what_they_hid(self):
         def faces(body: str) -> set:
             samples = passes(self.server.ask("POST", "/deep", "interlaced = false\n" + body + CAMERA % SIZE)[2])[0][1]
@@ -388,7 +414,7 @@ class Reports(ViewTest):
             run = self.keiko("view", "out", "--no-browser")
             self.assertEqual((run.returncode, run.stderr.count("\n")), (2, 1), run.stderr)
             return run.stderr
-        for wrong, reason in (("{", "no JSON at byte"), ("{}", "is not of the format keiko-report/1"),
+        for wrong, reason in (("{", "no JSON at line 1, column 2"), ("{}", "is not of the format keiko-report/1"),
                               (good.replace('"opened"', '"closed"'), "a key is missing"),
                               (good.replace('"width": 96', '"width": 0'), "width: and height must be from 1 to 16384"),
                               (good.replace('"gap.step"\n ],\n "views"', '"none.step"\n ],\n "views"'), "none.step")):
@@ -412,16 +438,14 @@ class Against(ViewTest):
         self.assertEqual((scene["against"], earlier["against"]), (True, False))
         self.assertEqual((scene["inputs"], earlier["inputs"]), ([Path(models[0]).name], [Path(models[1]).name]))
         self.assertEqual((scene["camera"], scene["rig"]), (earlier["camera"], earlier["rig"]))
-        self.write("rig.toml", server.ask("GET", "/rig")[2].decode())
-        for path, model in zip(("/still", "/against/still"), models):
-            self.write("eye.toml", self.view_file(scene["camera"]))
-            self.succeed("render", model, "-o", "file.png", "--rig", "rig.toml", "--view", "eye.toml",
-                         "--size", "%dx%d" % SIZE)
-            self.assertEqual(server.ask("POST", path)[2], (self.folder / "file.png").read_bytes(), path)
         deep, before = (passes(server.ask("POST", path, "interlaced = false")[2])[0]
                         for path in ("/deep", "/against/deep"))
         self.assertEqual(deep[0][:5], before[0][:5])
         self.assertNotEqual(deep[1], before[1])
+        alone = self.serve(models[1], "--size", "%dx%d" % SIZE)
+        camera = "".join(f"{key} = {json.dumps(scene['camera'][key])}\n" for key in ("eye", "target", "up", "vertical_fov"))
+        body = f"interlaced = false\n[camera]\n{camera}size = [{SIZE[0]}, {SIZE[1]}]\n"
+        self.assertEqual(passes(alone.ask("POST", "/deep", body)[2])[0], before)
 
     def test_without_an_earlier_revision_there_is_none(self):
         self.error_of(self.serve(surface("saddle.bpt")).ask("POST", "/against/deep"), 404)
@@ -491,7 +515,7 @@ class Clients(ViewTest):
         self.assertEqual(events.headers["Content-Type"], "text/event-stream")
         self.begin_still("a")
         seen = []
-        while len(seen) < 3:
+        while len(seen) < 3 or seen[-1]["fraction"] < 1:
             line = events.readline().decode()
             if line.startswith("data: "):
                 seen.append(json.loads(line[6:]))

@@ -2,6 +2,7 @@
 import base64
 import json
 import os
+import re
 import sys
 import tempfile
 import time
@@ -87,6 +88,14 @@ class Page(KeikoTest):
         _, _, channels, samples = png_file.read_png(self.folder / name)
         return [samples[i:i + 3] for i in range(0, len(samples), channels)]
 
+    def rested(self) -> list:
+        """The canvas after it has been drawn and its bent pixels have been divided."""
+        before = None
+        while (now := self.pixels(self.canvas())) != before:
+            before = now
+            time.sleep(0.3)
+        return now
+
     def press(self, name: str):
         self.browser.find_element(By.XPATH, f"//button[text()='{name}']").click()
 
@@ -161,14 +170,6 @@ class Pictures(Page):
         self.assertEqual(pressed, lamps)
         self.assertEqual(self.errors(), [])
 
-    def rested(self) -> list:
-        """The canvas after it has been drawn and its bent pixels have been divided."""
-        before = None
-        while (now := self.pixels(self.canvas())) != before:
-            before = now
-            time.sleep(0.3)
-        return now
-
     def test_looks_are_those_of_render(self):
         for name, look in (("zebra", "zebra"), ("isophotes", "isophote"), ("highlight lines", "highlight"),
                            ("draft", "draft")):
@@ -182,6 +183,25 @@ class Pictures(Page):
             self.assertGreater(len(body), 5000)
             _, beyond = differences([shown[i] for i in body], [made[i] for i in body])
             self.assertLess(beyond, 0.02, (name, shown[body[0]], made[body[0]]))
+
+    def test_curvatures_of_each_kind_are_those_of_render(self):
+        self.press("curvature")
+        for kind in "mean", "gauss", "k1", "k2", "absolute":
+            self.browser.find_element(By.XPATH, f"//select[@aria-label='of']/option[text()='{kind}']").click()
+            shown = self.rested()
+            self.press("picture")
+            self.wait_for(lambda: self.browser.find_elements(By.TAG_NAME, "dialog"))
+            command = self.browser.find_element(By.TAG_NAME, "dialog").text
+            self.press("close")
+            look = re.search(r"--look (\S+)", command)[1]
+            self.assertTrue(look.startswith(f"curvature:{kind}="), look)
+            self.succeed("render", "scene.toml", "-o", "render.png", "--look", look)
+            width, _, _, _ = png_file.read_png(self.folder / "render.png")
+            wide = self.file_pixels("render.png")
+            body = [i for i in range(480 * 70, 480 * 200) if 90 < i % 480 < 300 and shown[i] != shown[0]]
+            self.assertGreater(len(body), 5000)
+            _, beyond = differences([shown[i] for i in body], [wide[i // 480 * width + i % 480] for i in body])
+            self.assertLess(beyond, 0.02, kind)
 
     def test_a_row_is_moved_by_its_gizmo(self):
         before, address = self.rested(), self.browser.current_url
@@ -259,6 +279,94 @@ class Revisions(Page):
         self.assertFalse(self.browser.find_element(By.ID, "compare").is_displayed())
 
 
+class Analyses(Page):
+    """What is shown as a file, opened by the page and by the program."""
+
+    def write_note(self, text: str):
+        self.browser.find_element(By.ID, "picture").click()
+        self.browser.find_element(By.CSS_SELECTOR, "#note input").send_keys(text + Keys.ENTER)
+
+    def hide_a_face(self, name: str):
+        self.press("list")
+        self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#tree li"))
+        self.browser.execute_script("for (const body of document.querySelectorAll('#tree details')) body.open = true")
+        self.browser.find_element(By.CSS_SELECTOR, f"#tree input[aria-label*='{name}']").click()
+
+    def save_analysis(self) -> Path:
+        self.press("save analysis")
+        file = self.folder / "downloads" / "analysis.json"
+        self.wait_for(file.exists)
+        return file
+
+    def wait_for_faces(self, *hidden: str):
+        """Waits until the address hides these faces."""
+        self.wait_for(lambda: re.findall(r"hidden=([^&]*)", self.browser.current_url) == list(hidden))
+
+    def make_one(self) -> list:
+        """Shows a view with a note, a section and a face less. The canvas."""
+        self.write_note("sinks here")
+        self.press("keep this view")
+        self.drag(60, 0)
+        self.press("isophotes")
+        self.browser.find_element(By.CSS_SELECTOR, "#section select").send_keys("y")
+        self.wait_for(lambda: "y=" in self.text("section"))
+        self.hide_a_face("wing-left")
+        self.wait_for_faces("1")
+        return self.rested()
+
+    def require_all(self, shown: list):
+        self.wait_for(lambda: "1. sinks here" in self.text("analysis") or "sinks here" in self.text("analysis"))
+        self.wait_for_faces("1")
+        self.wait_for(lambda: "y=0.00" in self.text("section"))
+        self.assertIn("view-1", self.text("analysis"))
+        self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "#looks [aria-pressed=true]").text, "isophotes")
+        self.assertEqual(differences(shown, self.rested())[1], 0)
+        self.assertEqual(self.errors(), [])
+
+    def test_a_saved_analysis_opens_with_the_program_and_a_reload_keeps_it(self):
+        shown = self.make_one()
+        file = self.save_analysis()
+        saved = json.loads(file.read_text())
+        self.assertEqual([view["look"] for view in saved["views"]], ["isophote", "lamps"])
+        self.assertEqual([face["name"] for face in saved["hidden"]], ["wing-left"])
+        self.browser.execute_script("sessionStorage.clear()")
+        self.open(surface("hood.step"), "--analysis", str(file))
+        self.require_all(shown)
+        self.browser.refresh()
+        self.require_all(shown)
+        self.press("view-1")
+        self.wait_for_still()
+        self.assertGreater(differences(shown, self.rested())[1], 0.2)
+
+    def test_the_page_opens_a_file(self):
+        shown = self.make_one()
+        text = self.save_analysis().read_text()
+        self.open("scene.toml")
+        self.browser.execute_script("""const text = arguments[0];
+            HTMLInputElement.prototype.click = function () {
+              const data = new DataTransfer();
+              data.items.add(new File([text], "a.json"));
+              this.files = data.files;
+              this.onchange();
+            };""", text)
+        self.press("open analysis")
+        self.require_all(shown)
+
+    def test_notes_are_marked_flown_to_and_removed(self):
+        marks = "return document.getElementById('note-marks').width"
+        self.assertEqual(self.browser.execute_script(marks), 0)
+        self.write_note("first")
+        self.wait_for(lambda: self.browser.execute_script(marks) > 0)
+        place = re.search(r"note=([^&]*)", self.browser.current_url)
+        self.assertIsNotNone(place)
+        before = self.browser.current_url
+        self.browser.find_element(By.XPATH, "//button[text()='first']").click()
+        self.wait_for(lambda: self.browser.current_url != before)
+        self.browser.find_element(By.CSS_SELECTOR, "#analysis li button[title='remove the note']").click()
+        self.wait_for(lambda: self.browser.execute_script(marks) == 0)
+        self.assertNotIn("note=", self.browser.current_url)
+
+
 class Panel(Page):
     def test_a_click_names_the_place(self):
         self.browser.find_element(By.ID, "picture").click()
@@ -282,8 +390,9 @@ class Panel(Page):
         self.open(surface("seam-g1-angle.step"))
         self.press("inspect")
         self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#faults li"))
+        self.wait_for(lambda: self.text("work") == "", 3)
         self.assertIn("tangent", self.text("faults"))
-        self.browser.find_element(By.CSS_SELECTOR, "#faults button").click()
+        self.browser.find_element(By.CSS_SELECTOR, "#faults li button").click()
         self.wait_for_still()
         self.assertIn("angle up to", self.browser.find_element(By.CSS_SELECTOR, "#faults .plot text").text)
         self.browser.find_element(By.ID, "picture").click()

@@ -6,5 +6,6 @@
 #include "keiko/film/image_file.h"
 #include "keiko/render/shading/picture.h"
 #include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/open_scene.h"
 #include "keiko/workflow/section_curvature.h"

@@ -9,3 +9,4 @@
 #include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/report_folder.h"
 #include "keiko/workflow/scene_faults.h"
+#include "keiko/workflow/view_analysis.h"

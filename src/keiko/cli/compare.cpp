@@ -27,7 +27,8 @@ struct CompareArguments {
 };
 
 bool shows_pictures(const CompareArguments& arguments) {
-    return !arguments.output.empty() || !arguments.views.views.empty() || arguments.rig != "auto";
+    return !arguments.output.empty() || !arguments.views.views.empty() || arguments.rig != "auto" ||
+           !arguments.scene.analysis.empty();
 }
 
 /// True if -o names a page rather than a folder.
@@ -73,7 +74,7 @@ CompareBodiesOptions options_of(const CompareArguments& arguments) {
     if (!arguments.mirror.empty()) options.mirror = MirrorPlane::parse(arguments.mirror);
     if (!shows_pictures(arguments)) return options;
     options.views = arguments.views;
-    require_view_names(options.views->views);
+    require_view_names(options.views->views, options.scene.analysis);
     const PictureSize size = arguments.scene.picture_size();
     options.views->width = size.width, options.views->height = size.height;
     if (arguments.rig == "auto") return options;
@@ -85,8 +86,8 @@ CompareBodiesOptions options_of(const CompareArguments& arguments) {
 void withdraw_earlier(const CompareArguments& arguments) {
     ResultPlaces places{.files = {arguments.json, arguments.junit}, .folders = {}};
     (is_page(arguments.output) ? places.files : places.folders).push_back(arguments.output);
-    std::vector<fs::path> inputs{arguments.before, arguments.after, arguments.rig,
-                                 arguments.preset};
+    std::vector<fs::path> inputs{arguments.before, arguments.after, arguments.rig, arguments.preset,
+                                 arguments.scene.analysis};
     inputs.insert(inputs.end(), arguments.views.views.begin(), arguments.views.views.end());
     withdraw_results(places, inputs);
 }
@@ -105,10 +106,12 @@ int compare(CompareArguments arguments, const Job& job) {
     if (arguments.after.empty()) arguments.after = arguments.before;
     require_outputs(arguments);
     withdraw_earlier(arguments);
+    arguments.scene.read_analysis();
     const CompareBodiesOptions options = options_of(arguments);
     const CompareResult result = compare_bodies(arguments.before, arguments.after, options, job);
     const Comparison& comparison = result.comparison;
     warn_of_lost_faces(comparison);
+    log_remarks(result.remarks);
     write_outputs(arguments, result);
     print(comparison_text(comparison));
     return comparison.same() ? exit_pass : exit_findings;
@@ -189,6 +192,7 @@ void add_compare(CLI::App& app, Session& session) {
     add_sampling(command, arguments->options);
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);
+    arguments->scene.add_analysis(command);
     arguments->scene.add_reading(command);
     command.footer(
         "Exit codes: 0 same within tolerance, 1 different, 2 error, 130 interrupted.\n"

@@ -10,6 +10,8 @@
 #include "keiko/cli/scope_options.h"
 #include "keiko/cli/session.h"
 
+#include <array>
+#include <cstdio>
 #include <memory>
 
 namespace keiko::cli {
@@ -60,12 +62,27 @@ void withdraw_earlier(const InspectArguments& arguments) {
     }
     inputs.emplace_back(arguments.rig);
     inputs.emplace_back(arguments.preset);
+    inputs.push_back(arguments.scene.analysis);
     withdraw_results(places, inputs);
+}
+
+/// Prints the notes of the analysis, each with the face that it lies on in this body.
+void print_notes(const Scene& scene) {
+    if (!scene.analysis) return;
+    TextLines lines;
+    for (const auto& [text, place, face] : scene.analysis->analysis.notes) {
+        std::array<char, 128> at{};
+        std::snprintf(at.data(), at.size(), "%.2f, %.2f, %.2f mm", place.x, place.y, place.z);
+        lines.line() << "note on " << (face > 0 ? "face " + std::to_string(face) : "no face")
+                     << " at " << at.data() << ": " << text;
+    }
+    print(lines.text());
 }
 
 int inspect(InspectArguments arguments, const Job& job) {
     withdraw_earlier(arguments);
     InspectOptions& options = arguments.options;
+    arguments.scene.read_analysis();
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
     options.symmetry = arguments.symmetry.choice();
@@ -75,7 +92,7 @@ int inspect(InspectArguments arguments, const Job& job) {
         options.rig = arguments.rig;
         read_rig_aloud(*options.rig); // a misspelt key is reported before the long work
     }
-    require_view_names(options.views);
+    require_view_names(options.views, arguments.scene.options.analysis);
     options.combs = arguments.combs.options(options.join);
     constexpr double opening = 1, inspecting = 9;
     JobSteps steps(job, opening + inspecting);
@@ -99,6 +116,7 @@ int inspect(InspectArguments arguments, const Job& job) {
         log_warning(warning);
     if (result.combs) log_warnings(result.combs->remarks);
     print_summary(result.report, arguments.output);
+    print_notes(scene);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
 }
 
@@ -112,6 +130,7 @@ void add_inspect(CLI::App& app, Session& session) {
     arguments->scene.add_to(command, "MODEL");
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);
+    arguments->scene.add_analysis(command);
     command.add_option("-o,--output", arguments->output, "folder for the report")
         ->capture_default_str();
     command

@@ -1,43 +1,12 @@
 // The analysis mode of RenderArguments and its settings, parsed from their texts.
 #include "keiko/base/error.h"
-#include "keiko/base/text.h"
 #include "keiko/cli/render_options.h"
 
-#include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdio>
 
 namespace keiko::cli {
 namespace {
-
-std::vector<std::string> look_names() {
-    std::vector<std::string> names{"lamps"};
-    for (const AnalysisMode look : every_look()) names.emplace_back(name_of(look));
-    return names;
-}
-
-/// Mode of the name in "curvature:gauss=1e-4".
-AnalysisMode look_by_name(const std::string& name) {
-    for (const AnalysisMode look : every_look())
-        if (name_of(look) == name) return look;
-    const std::vector<std::string> names = look_names();
-    throw Error("", "--look",
-                "no look is called '" + name + "'; there are " + comma_list(names) +
-                    did_you_mean(name, names));
-}
-
-double full_curvature(AnalysisMode look, const std::string& text) {
-    double full = 0;
-    const char* end = text.data() + text.size();
-    const auto [rest, fault] = std::from_chars(text.data(), end, full);
-    if (!is_curvature(look) || fault != std::errc() || rest != end || !(full > 0) ||
-        !std::isfinite(full))
-        throw Error("", "--look",
-                    "'" + std::string(name_of(look)) + "=" + text +
-                        "' is not curvature:KIND=C with the curvature C > 0 of full colour");
-    return full;
-}
 
 /// "X,Y,Z", not 0; its length does not matter.
 Vec3 direction(const std::string& option, const std::string& text) {
@@ -93,9 +62,10 @@ ValueRange range_to(AnalysisMode look, double full) {
 } // namespace
 
 std::optional<ChosenMode> RenderArguments::look() const {
-    const std::size_t sign = std::min(look_.find('='), look_.size());
+    std::optional<StatedLook> stated;
+    if (look_ != "lamps") stated = look_from(look_);
     std::optional<ChosenMode> chosen;
-    if (look_ != "lamps") chosen = ChosenMode{look_by_name(look_.substr(0, sign))};
+    if (stated) chosen = ChosenMode{stated->mode};
     const auto is = [&](AnalysisMode mode) { return chosen && chosen->look == mode; };
     require_mode(is(AnalysisMode::draft), !pull_.empty(), "--pull", "--look draft");
     require_mode(is(AnalysisMode::draft), draft_.has_value(), "--draft", "--look draft");
@@ -106,19 +76,19 @@ std::optional<ChosenMode> RenderArguments::look() const {
     if (is(AnalysisMode::below_radius) && !radius_)
         throw Error("", "--look below-radius", "needs --radius MM");
     if (!section_.empty()) chosen->section = direction("--section", section_);
-    if (chosen) chosen->options = look_options(chosen->look, look_.substr(sign));
+    if (chosen) chosen->options = look_options(*stated);
     return chosen;
 }
 
-AnalysisOptions RenderArguments::look_options(AnalysisMode look, const std::string& full) const {
+AnalysisOptions RenderArguments::look_options(const StatedLook& look) const {
     AnalysisOptions options;
     if (!pull_.empty()) options.pull = direction("--pull", pull_);
     options.draft = draft_.value_or(options.draft);
     options.radius = radius_.value_or(options.radius);
-    require_mode(has_scale(look) && full.empty(), !scale_.empty(), "--scale",
+    require_mode(has_scale(look.mode) && !look.full, !scale_.empty(), "--scale",
                  "a --look with a legend and without '=C', or for --false-color");
-    if (!scale_.empty()) options.scale = scale_of(scale_, look == AnalysisMode::radius);
-    if (!full.empty()) options.scale.range = range_to(look, full_curvature(look, full.substr(1)));
+    if (!scale_.empty()) options.scale = scale_of(scale_, look.mode == AnalysisMode::radius);
+    if (look.full) options.scale.range = range_to(look.mode, *look.full);
     return options;
 }
 

@@ -23,16 +23,16 @@ LightRig rig_of(const Scene& scene, const RenderArguments& arguments, const Name
 }
 
 /// Renders an analysis picture. Only highlight lines use a rig's lamps; the rest of the light is
-/// not computed.
+/// not computed. `shown`: the part of the scene that is rendered; lamps are those of the whole.
 void render_look(const RenderArguments& arguments, const ChosenMode& chosen, const Scene& scene,
-                 const NamedView& view, const Job& job) {
+                 const Scene& shown, const NamedView& view, const Job& job) {
     const LightRig rig =
         chosen.look == AnalysisMode::highlight ? rig_of(scene, arguments, view, job) : LightRig{};
-    const Film film = render_view(scene, {}, view.camera,
+    const Film film = render_view(shown, {}, view.camera,
                                   {.aovs = look_layers(chosen.look), .max_depth = 0}, job);
     AnalysisOptions options = chosen.options;
     if (chosen.look == AnalysisMode::section)
-        options.sections = section_curvatures(scene.seen(), view.camera, chosen.section, job);
+        options.sections = section_curvatures(shown.seen(), view.camera, chosen.section, job);
     options.ground = 0;
     write_png(arguments.output, analysis_picture(chosen.look, film, view.camera, rig, options));
 }
@@ -54,15 +54,16 @@ void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye)
     log_warning(text.str());
 }
 
-void render_lamps(const RenderArguments& arguments, const Scene& scene, const NamedView& view,
-                  const Job& job) {
+/// Renders the part that is shown under the lamps of the whole scene.
+void render_lamps(const RenderArguments& arguments, const Scene& scene, const Scene& shown,
+                  const NamedView& view, const Job& job) {
     const LightRig rig = rig_of(scene, arguments, view, job);
     warn_of_thick_fog(scene, rig, view.camera.eye);
     PictureOptions options{.aovs = arguments.aovs(), .tubes = arguments.tubes()};
     options.light_error = arguments.light_error, options.edge_samples = arguments.edge_samples;
     const ShownQuantity quantity = arguments.quantity();
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
-    const Film film = render_view(scene, rig, view.camera, options, job);
+    const Film film = render_view(shown, rig, view.camera, options, job);
     if (arguments.false_color)
         write_png(arguments.output,
                   false_color_picture(film, arguments.scale(), arguments.iso_lines, quantity));
@@ -74,6 +75,7 @@ void withdraw_earlier(const RenderArguments& arguments) {
     std::vector<std::filesystem::path> inputs = arguments.scene.inputs;
     inputs.emplace_back(arguments.rig);
     inputs.emplace_back(arguments.view);
+    inputs.push_back(arguments.scene.analysis);
     withdraw_results({.files = {arguments.output, arguments.hits}, .folders = {}}, inputs);
 }
 
@@ -82,17 +84,19 @@ void render_picture(const RenderArguments& arguments, const Job& job) {
     if (arguments.rig != "auto") read_rig_aloud(arguments.rig);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);
-    require_view_names(names);
+    require_view_names(names, arguments.scene.options.analysis);
     const Scene scene = arguments.scene.open(job);
     arguments.scene.warn_of_axes(scene, names);
     const NamedView view = choose_views(scene, names, 1, job).front();
+    const std::optional<Scene> part = without_hidden_faces(scene, job);
+    const Scene& shown = part ? *part : scene;
     if (const auto look = arguments.look())
-        render_look(arguments, *look, scene, view, job);
+        render_look(arguments, *look, scene, shown, view, job);
     else
-        render_lamps(arguments, scene, view, job);
+        render_lamps(arguments, scene, shown, view, job);
     if (!arguments.hits.empty())
         write_text_file(arguments.hits,
-                        hits_text(register_hits(scene.tracer, scene.model, {view}, job)));
+                        hits_text(register_hits(shown.tracer, shown.model, {view}, job)));
 }
 
 /// Log of the frames of an animation that are complete, and of their inputs. It is a text file
@@ -150,7 +154,8 @@ void render_frames(const RenderArguments& arguments, const Frames& frames, const
     }
 }
 
-int render(const RenderArguments& arguments, const Job& job) {
+int render(RenderArguments arguments, const Job& job) {
+    arguments.take_analysis();
     arguments.require();
     if (const auto frames = arguments.frames())
         render_frames(arguments, *frames, job);

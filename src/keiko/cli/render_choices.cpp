@@ -67,6 +67,20 @@ std::optional<Frames> RenderArguments::frames() const {
     return frames;
 }
 
+void RenderArguments::take_analysis() {
+    scene.read_analysis();
+    if (!scene.options.analysis || stated_look_->count() > 0 || false_color) return;
+    const std::vector<AnalysisView>& views = scene.options.analysis->views;
+    const auto rendered = std::find_if(views.begin(), views.end(), [&](const AnalysisView& each) {
+        return view.empty() || each.name == view;
+    });
+    if (rendered == views.end()) return;
+    if (rendered->look == "faces")
+        throw Error(scene.analysis.string(), "view " + rendered->name,
+                    "shows faces by colour, which only keiko view draws: state another --look");
+    look_ = rendered->look;
+}
+
 /// An .exr holds unscaled luminance, and layers; a .png neither.
 void RenderArguments::require() const {
     require_image_extension(output);
@@ -98,6 +112,7 @@ std::string RenderArguments::key() const {
     std::vector<std::filesystem::path> inputs = scene.inputs;
     for (const std::string& name : {rig, view})
         if (std::filesystem::path(name).extension() == ".toml") inputs.emplace_back(name);
+    if (!scene.analysis.empty()) inputs.push_back(scene.analysis);
     const SceneOptions options = scene.scene_options();
     std::ostringstream settings;
     settings << std::setprecision(17) << options.material << '\n'

@@ -8,6 +8,7 @@ void RenderArguments::add_to(CLI::App& command) {
     scene.add_to(command, "MODEL|SCENE");
     scene.add_picture_size(command);
     scene.add_shadows(command);
+    scene.add_analysis(command);
     command.add_option("-o,--output", output, "image.exr (cd/m2, AOVs) or image.png")->required();
     add_light(command);
     command
@@ -98,15 +99,17 @@ void RenderArguments::add_display(CLI::App& command) {
 }
 
 void RenderArguments::add_looks(CLI::App& command) {
-    command
-        .add_option("--look", look_,
-                    "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), "
-                    "isoparms, patches; or by colour with a legend draft, curvature:gauss, :mean, "
-                    ":k1, :k2, :absolute, :section, or radius; curvature:gauss=C: colours are full "
-                    "at C; or below-radius, in red")
-        ->option_text("NAME")
-        ->excludes(command.get_option("--false-color"))
-        ->capture_default_str();
+    stated_look_ =
+        command
+            .add_option(
+                "--look", look_,
+                "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), "
+                "isoparms, patches; or by colour with a legend draft, curvature:gauss, :mean, "
+                ":k1, :k2, :absolute, :section, or radius; curvature:gauss=C: colours are full "
+                "at C; or below-radius, in red")
+            ->option_text("NAME")
+            ->excludes(command.get_option("--false-color"))
+            ->capture_default_str();
     command
         .add_option("--pull", pull_, "of --look draft: X,Y,Z, where the tool is pulled off [0,0,1]")
         ->check(not_empty());

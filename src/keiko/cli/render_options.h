@@ -39,6 +39,9 @@ public:
     /// Adds all options to a command.
     void add_to(CLI::App& command);
 
+    /// Reads the analysis, if there is one, and takes the look of the view that is rendered, unless
+    /// the user states one. Throws Error, and for a look that only the page of the viewer draws.
+    void take_analysis();
     /// Throws Error for options that exclude each other or do not suit the requested file, and for
     /// a place that cannot be written to.
     void require() const;
@@ -68,15 +71,15 @@ private:
     void add_display(CLI::App& command);
     void add_looks(CLI::App& command);
     void add_frames(CLI::App& command);
-    /// Settings of a mode. `full` is what follows its name: "=C" or nothing.
-    AnalysisOptions look_options(AnalysisMode look, const std::string& full) const;
+    /// Settings of a mode.
+    AnalysisOptions look_options(const StatedLook& look) const;
     void require_look(const ChosenMode& look) const;
 
     std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
                        tone_ = "linear", frames_, pull_, section_;
     std::optional<double> ev_, draft_, radius_;
     std::vector<const CLI::Option*> of_lamps_; ///< options that only pictures under the lamps use
-    const CLI::Option* rig_ = nullptr;
+    const CLI::Option *rig_ = nullptr, *stated_look_ = nullptr;
 };
 
 } // namespace keiko::cli

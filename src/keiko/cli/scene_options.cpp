@@ -123,6 +123,20 @@ void SceneArguments::add_shadows(CLI::App& command) {
     command.add_flag("--shadows", options.shadows, "bodies cast shadows; takes many times as long");
 }
 
+void SceneArguments::add_analysis(CLI::App& command) {
+    command
+        .add_option("--analysis", analysis,
+                    "file that keiko view saved (.json): its views, lamps, hidden faces, sections "
+                    "and notes, on this body")
+        ->check(not_empty());
+}
+
+void SceneArguments::read_analysis() {
+    if (analysis.empty()) return;
+    options.analysis = keiko::read_analysis(analysis);
+    if (options.analysis->rig) log_remarks(luminaire_remarks(*options.analysis->rig));
+}
+
 SceneOptions SceneArguments::scene_options() const {
     SceneOptions all = options;
     all.load = load_options(*this);
@@ -140,7 +154,9 @@ Scene SceneArguments::open(const Job& job) const {
     tell_build(scene);
     for (const LostFace& face : scene.model.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
-    if (scene.rig) log_remarks(luminaire_remarks(*scene.rig));
+    const bool is_own_rig = scene.rig && !(options.analysis && options.analysis->rig);
+    if (is_own_rig) log_remarks(luminaire_remarks(*scene.rig));
+    if (scene.analysis) log_remarks(scene.analysis->remarks);
     if (wanted.width > 0) scene.set_picture_size(wanted.width, wanted.height);
     return scene;
 }

@@ -29,6 +29,7 @@ struct SceneArguments {
     double import_timeout = 120;               ///< s
     double import_memory = 16;                 ///< GiB
     double cache_limit = 4;                    ///< GiB
+    std::filesystem::path analysis;            ///< file of an analysis; empty: none
 
     /// Adds the inputs (as `what`) and options to a command.
     void add_to(CLI::App& command, const std::string& what);
@@ -38,11 +39,17 @@ struct SceneArguments {
     void add_picture_size(CLI::App& command);
     /// Adds the option that bodies cast shadows.
     void add_shadows(CLI::App& command);
+    /// Adds the analysis that is done again.
+    void add_analysis(CLI::App& command);
+    /// Reads the analysis into the options, if there is one, and warns of contradictions within its
+    /// luminaires. Throws Error.
+    void read_analysis();
     /// Options of the scene, with the limits of import and the intersector.
     SceneOptions scene_options() const;
     /// Throws Error for an invalid --size.
     PictureSize picture_size() const;
-    /// Opens the scene, and warns of every face that could not be read.
+    /// Opens the scene, and warns of every face that could not be read, and of what could not be
+    /// followed of an analysis.
     Scene open(const Job& job) const;
     /// Warns if views are requested by name for models that plainly do not lie in the vehicle
     /// frame, unless --axes is given.

@@ -44,23 +44,28 @@ std::optional<Scene> earlier_scene(const ViewArguments& arguments, const Job& jo
     if (arguments.against.empty()) return {};
     SceneArguments earlier = arguments.scene;
     earlier.inputs = arguments.against;
+    earlier.options.analysis.reset(); // of the body that is judged
     return earlier.open(job);
 }
 
-/// Opens a report folder in place of the models: with its lamps, unless others are named.
+/// Opens a report folder in place of the models: with its lamps and its analysis, unless others are
+/// named.
 void open_report(ViewArguments& arguments) {
     if (arguments.scene.inputs.size() != 1 || !is_report_folder(arguments.scene.inputs.front()))
         return;
     ReportFolder report = read_report_folder(arguments.scene.inputs.front());
     log_remarks(report.changes);
     arguments.scene.inputs = report.inputs;
-    if (arguments.rig == "auto") arguments.rig = report.rig.string();
+    if (arguments.rig == "auto" && arguments.scene.analysis.empty())
+        arguments.rig = report.rig.string();
+    if (arguments.scene.analysis.empty()) arguments.scene.analysis = report.analysis;
     arguments.options.report = std::move(report);
 }
 
-/// The first view of a report, or the one that is named; nullopt if it is none of the report's.
+/// The first view of a report, or the one that is named; nullopt if it is none of the report's, or
+/// if there is an analysis, whose views come first.
 std::optional<NamedView> view_of_report(const ViewArguments& arguments) {
-    if (!arguments.options.report) return {};
+    if (!arguments.options.report || arguments.scene.options.analysis) return {};
     const PictureSize size = arguments.scene.picture_size();
     for (NamedView seen : arguments.options.report->views) {
         if (!arguments.view.empty() && arguments.view != seen.name) continue;
@@ -72,10 +77,11 @@ std::optional<NamedView> view_of_report(const ViewArguments& arguments) {
 
 int view(ViewArguments arguments, const Job& job) {
     open_report(arguments);
+    arguments.scene.read_analysis();
     const std::optional<NamedView> of_report = view_of_report(arguments);
     std::vector<std::string> names;
     if (!arguments.view.empty()) names.push_back(arguments.view);
-    if (!of_report) require_view_names(names);
+    if (!of_report) require_view_names(names, arguments.scene.options.analysis);
     if (arguments.rig != "auto") read_rig_aloud(arguments.rig);
     if (!arguments.preset.empty())
         arguments.options.check.preset = preset_by_name_or_file(arguments.preset);
@@ -107,6 +113,7 @@ void add_view(CLI::App& app, Session& session) {
         ->allow_extra_args(false);
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);
+    arguments->scene.add_analysis(command);
     command.add_option("--view", arguments->view, "view by name, auto, or scene")
         ->check(not_empty());
     command.add_option("--rig", arguments->rig, "rig file, or auto: the scene's, or placed")

@@ -3,6 +3,7 @@
 #include "keiko/api/lines.h"
 #include "keiko/api/model.h"
 #include "keiko/api/render.h"
+#include "keiko/api/scene.h"
 #include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/viewer/client_watch.h"
@@ -94,6 +95,7 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "GET /rig") return rig_file();
     if (asked == "PUT /rig") return new_rig(request);
     if (asked == "POST /rig") return changed_rig_file(request);
+    if (asked == "GET /analysis") return text_reply(scene_.analysis());
     if (asked == "POST /deep") return deep(request, client);
     if (asked == "POST /still") return still(request, client);
     if (scene_.against() && request.path.starts_with("/against/")) return against(request, client);
@@ -105,6 +107,10 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "GET /facts") return text_reply(scene_.facts(job));
     if (asked == "GET /seams") return text_reply(scene_.inspection(job));
     if (asked == "GET /inspect") return text_reply(scene_.faults(job));
+    if (asked == "POST /inspect")
+        return text_reply(scene_.faults_with_lines(request_of(request), job));
+    if (asked == "PUT /analysis") return new_analysis(request, job);
+    if (asked == "POST /analysis") return analysis_file(request, job);
     if (asked == "POST /section") return text_reply(scene_.section(request.body, job));
     if (asked == "POST /lines") return lines(request, job);
     if (asked == "POST /place") return place(request, job);
@@ -121,7 +127,6 @@ HttpReply Endpoints::against(const HttpRequest& request, const std::string& clie
     if (asked == "GET /against/scene")
         return text_reply(view_json(view_facts(earlier, scene_.view()), scene_.rig()));
     if (asked == "POST /against/deep") return deep(request, client, &earlier);
-    if (asked == "POST /against/still") return still(request, client, &earlier);
     return error_reply(404, no_such);
 }
 
@@ -151,6 +156,18 @@ HttpReply Endpoints::place(const HttpRequest& request, const Job& job) const {
     options.hits =
         register_hits(scene.tracer, scene.model, {scene_.view_of(request_of(request))}, job);
     return text_reply(placed_rig_json(place_scene(scene, options, job).placement));
+}
+
+HttpReply Endpoints::new_analysis(const HttpRequest& request, const Job& job) const {
+    const FollowedAnalysis followed = followed_analysis(
+        parse_analysis_alone(request.body, "analysis"), scene_.scene().model, job);
+    if (followed.analysis.rig) scene_.set_rig(*followed.analysis.rig);
+    return text_reply(view_analysis_json(followed, scene_.rig()));
+}
+
+HttpReply Endpoints::analysis_file(const HttpRequest& request, const Job& job) const {
+    return text_reply(analysis_text(
+        requested_analysis(request_of(request), scene_.rig(), scene_.scene().model, job)));
 }
 
 HttpReply Endpoints::streamed(const std::string& type, const std::string& client,
@@ -200,27 +217,26 @@ HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client,
 }
 
 std::string Endpoints::still_png(const ViewRequest& request, const LightRig& rig,
-                                 const Scene* earlier, const Job& job) const {
+                                 const Job& job) const {
     const StopScope scope(job);
     const auto pictured = scene_.pictured(request, job);
-    return encode_png(tone_mapped(
-        render_view(earlier ? *earlier : *pictured, rig, scene_.view_of(request).camera, {}, job)));
+    return encode_png(
+        tone_mapped(render_view(*pictured, rig, scene_.view_of(request).camera, {}, job)));
 }
 
-HttpReply Endpoints::still(const HttpRequest& request, const std::string& client,
-                           const Scene* earlier) const {
+HttpReply Endpoints::still(const HttpRequest& request, const std::string& client) const {
     const ViewRequest wanted = request_of(request);
     require_faces(scene_.scene().model, wanted.hidden);
-    return streamed("image/png", client, earlier ? "still before" : "still",
-                    [this, wanted, rig = scene_.rig_of(wanted), earlier](Outlet& outlet,
-                                                                         LatestWork::Turn& turn) {
-                        std::string png;
-                        {
-                            const ClientWatch watch(outlet, turn);
-                            png = still_png(wanted, rig, earlier, turn.job(threads_));
-                        }
-                        return outlet.write(png);
-                    });
+    return streamed(
+        "image/png", client, "still",
+        [this, wanted, rig = scene_.rig_of(wanted)](Outlet& outlet, LatestWork::Turn& turn) {
+            std::string png;
+            {
+                const ClientWatch watch(outlet, turn);
+                png = still_png(wanted, rig, turn.job(threads_));
+            }
+            return outlet.write(png);
+        });
 }
 
 HttpReply Endpoints::events(const std::string& client) const {

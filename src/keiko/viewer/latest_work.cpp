@@ -21,7 +21,14 @@ LatestWork::Turn::~Turn() {
     all_.running_.erase(own);
     const auto next = all_.running_.lower_bound({who_.first, ""});
     const bool others = next != all_.running_.end() && next->first.first == who_.first;
-    if (!others) all_.progress_.erase(who_.first);
+    const auto last = all_.progress_.find(who_.first);
+    if (last == all_.progress_.end()) return;
+    if (!others) {
+        all_.progress_.erase(last);
+    } else if (last->second.kind == who_.second) {
+        last->second.number = ++all_.reports_, last->second.fraction = 1;
+        all_.told_.notify_all();
+    }
 }
 
 Job LatestWork::Turn::job(int threads) const {

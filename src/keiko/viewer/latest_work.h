@@ -18,7 +18,7 @@ namespace keiko::viewer {
 struct WorkProgress {
     std::uint64_t number = 0; ///< rises with each
     std::string kind, stage;  ///< "still", "render"
-    double fraction = 0;      ///< of this stage, 0 to 1
+    double fraction = 0;      ///< of this stage, 0 to 1; 1 once the work has ended
 };
 
 /// The work that is under way, of each client and kind the newest: what begins ends the one before

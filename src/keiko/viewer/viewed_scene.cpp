@@ -1,5 +1,6 @@
 #include "keiko/viewer/viewed_scene.h"
 
+#include "keiko/api/lines.h"
 #include "keiko/api/model.h"
 #include "keiko/base/job_steps.h"
 
@@ -97,14 +98,31 @@ std::string ViewedScene::section(const std::string& plane, const Job& job) const
     return combs_json(found, options.planes, scene_.model, version());
 }
 
+namespace {
+
+constexpr double judging = 20, following = 5, ordering = 3; // shares of the time
+
+} // namespace
+
 std::string ViewedScene::faults(const Job& job) {
     return faults_.get(job, [&] {
-        constexpr double judging = 20, ordering = 3;
         JobSteps steps(job, judging + ordering);
         const Inspection& inspection = judged(steps.next_of_steps(judging));
         return faults_json(scene_faults(scene_, inspection, steps.next_of_steps(ordering)),
                            inspection, version());
     });
+}
+
+std::string ViewedScene::faults_with_lines(const ViewRequest& request, const Job& job) {
+    JobSteps steps(job, judging + following + ordering);
+    const Inspection& geometry = judged(steps.next_of_steps(judging));
+    LinesOptions options;
+    options.preset = check_.preset, options.join = check_.join;
+    const LineList lines = lines_in_view(scene_, rig_of(request), view_of(request), options,
+                                         steps.next_of_steps(following));
+    const Inspection whole = with_lines(geometry, lines);
+    return faults_json(scene_faults(scene_, whole, steps.next_of_steps(ordering)), whole,
+                       version());
 }
 
 } // namespace keiko::viewer

@@ -38,6 +38,8 @@ public:
     std::shared_ptr<const Scene> pictured(const ViewRequest& request, const Job& job);
     /// The scene as a page needs it, with the views and changed files of the report.
     ViewFacts facts_of_view() const;
+    /// The analysis that it was opened with, "keiko-view-analysis/1".
+    std::string analysis() const { return view_analysis_json(scene_.analysis, rig()); }
     /// The rig that is shown.
     LightRig rig() const;
     /// Shows other lamps.
@@ -55,6 +57,9 @@ public:
     std::string inspection(const Job& job);
     /// Its faults in the order of mending, "keiko-faults/1", made as the inspection.
     std::string faults(const Job& job);
+    /// The faults of the judged geometry and of the reflection lines of a request's lamps in its
+    /// view, "keiko-faults/1". Throws Cancelled.
+    std::string faults_with_lines(const ViewRequest& request, const Job& job);
     /// The sections of the body with a plane such as "y=120" and their curvature combs,
     /// "keiko-combs/1". Throws Error for other words, and Cancelled.
     std::string section(const std::string& plane, const Job& job) const;

@@ -6,6 +6,7 @@
 #include "keiko/math/vec.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,6 +40,16 @@ const std::vector<AnalysisMode>& every_look();
 bool is_curvature(AnalysisMode look);
 /// True for the modes whose colours stand for numbers on a scale.
 bool has_scale(AnalysisMode look);
+
+/// A mode, and the curvature of full colour where the user states it.
+struct StatedLook {
+    AnalysisMode mode = AnalysisMode::zebra; ///< the mode
+    std::optional<double> full{};            ///< 1/mm, above 0; of curvatures alone
+};
+
+/// The mode of a text: its name, which "=C" may follow with the curvature C of full colour. Throws
+/// FieldError for another text.
+StatedLook look_from(const std::string& text);
 
 /// Scale of a picture's colours: by hand, or else by the values that the picture shows.
 struct AnalysisScale {

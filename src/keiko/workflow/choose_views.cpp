@@ -3,6 +3,8 @@
 #include "keiko/base/error.h"
 #include "keiko/files/scene/scene_file.h"
 
+#include <algorithm>
+
 namespace keiko {
 namespace {
 
@@ -16,8 +18,19 @@ NamedView view_of_file(const std::filesystem::path& path, const Framing& framing
     return {path.stem().string(), of_size(read_view(path), framing)};
 }
 
+/// The view of that name of an analysis; null if there is none.
+const AnalysisView* view_of_analysis(const Analysis& analysis, const std::string& name) {
+    const auto& views = analysis.views;
+    const auto found = std::find_if(views.begin(), views.end(),
+                                    [&](const AnalysisView& view) { return view.name == name; });
+    return found == views.end() ? nullptr : &*found;
+}
+
 NamedView view_by_name(const Scene& scene, const std::string& name, const Framing& framing,
                        const Job& job) {
+    const AnalysisView* own =
+        scene.analysis ? view_of_analysis(scene.analysis->analysis, name) : nullptr;
+    if (own) return {name, of_size(own->camera, framing)};
     if (name == "auto") return best_view(scene.tracer, scene.model, framing, job);
     if (name == "scene") {
         if (!scene.camera) throw FieldError("views", "the scene has no camera of its own");
@@ -36,9 +49,11 @@ void require_different_names(std::span<const NamedView> views) {
                 throw FieldError("views", "two views are called '" + views[i].name + "'");
 }
 
-void require_view_names(std::span<const std::string> names) {
+void require_view_names(std::span<const std::string> names,
+                        const std::optional<Analysis>& analysis) {
     const Box3 any{Vec3(0), Vec3(1)};
     for (const std::string& name : names) {
+        if (analysis && view_of_analysis(*analysis, name)) continue;
         if (is_view_file(name))
             read_view(name);
         else if (name != "auto" && name != "scene")
@@ -57,6 +72,10 @@ std::vector<NamedView> choose_views(const Scene& scene, std::span<const std::str
     std::vector<NamedView> views;
     for (const std::string& name : names) views.push_back(view_by_name(scene, name, framing, job));
     require_different_names(views);
+    if (!views.empty()) return views;
+    if (scene.analysis)
+        for (const AnalysisView& view : scene.analysis->analysis.views)
+            views.push_back({view.name, of_size(view.camera, framing)});
     if (!views.empty()) return views;
     if (scene.camera) return {{"scene", of_size(*scene.camera, framing)}};
     if (scene.view) return {view_by_name(scene, *scene.view, framing, job)};

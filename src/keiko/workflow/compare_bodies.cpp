@@ -10,6 +10,7 @@
 #include "keiko/inspect/basics/placed_face.h"
 #include "keiko/workflow/draw_outcome.h"
 #include "keiko/workflow/find_lines.h"
+#include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/version.h"
 #include "keiko/workflow/zoned_limits.h"
@@ -331,6 +332,20 @@ void compare_views(const ComparedScenes& scenes, const CompareBodiesOptions& opt
                              steps.next(comparing, ViewComparer::stages, views[i].name)));
 }
 
+/// Remarks on the parts of the analysis that could not be followed on either body.
+Diagnostics remarks_of(const Scene& before, const Scene& after) {
+    Diagnostics remarks;
+    for (const auto& [scene, file] :
+         {std::pair(&before, before.inputs.front()), std::pair(&after, after.inputs.front())}) {
+        if (!scene->analysis) continue;
+        for (Diagnostic remark : scene->analysis->remarks) {
+            remark.entity.insert(0, file.string() + ": ");
+            remarks.push_back(std::move(remark));
+        }
+    }
+    return remarks;
+}
+
 } // namespace
 
 CompareResult compare_bodies(const fs::path& before, const fs::path& after,
@@ -347,6 +362,7 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
                             (options.views ? viewing : 0));
     const Scene scene_before = opened(before, options, steps.next_of_steps(opening));
     Scene scene_after = opened_after(after, options, steps.next_of_steps(opening));
+    result.remarks = remarks_of(scene_before, scene_after);
     const Job to_align = steps.next(aligning, 3);
     const ClosestPointQuery feet_before(placed_model(scene_before.model), to_align);
     const ClosestPointQuery feet_after =
@@ -370,8 +386,11 @@ CompareResult compare_bodies(const fs::path& before, const fs::path& after,
         compare_geometry(whole, whole, options, of_all, steps.next_of_steps(measuring));
     const Comparison& shown = part_before ? of_all : comparison;
     SharedFaces faces(feet_before.body(), shown.missing, feet_after.body(), shown.deviation);
+    const auto shown_before = without_hidden_faces(scene_before, job),
+               shown_after = without_hidden_faces(scene_after, job);
     compare_views(
-        {scene_before, scene_after, feet_before, feet_after, faces, shown.deviation, limits},
+        {shown_before ? *shown_before : scene_before, shown_after ? *shown_after : scene_after,
+         feet_before, feet_after, faces, shown.deviation, limits},
         options, result, steps.next_of_steps(viewing));
     return result;
 }

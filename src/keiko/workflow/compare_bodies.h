@@ -18,7 +18,7 @@ struct CompareViewsOptions {
     LineShiftOptions shift{};                 ///< of the lines
 };
 
-/// Options of compare_bodies.
+/// Options of compare_bodies. Views and lamps of an analysis in `scene` are those of both bodies.
 struct CompareBodiesOptions {
     SceneOptions scene;                         ///< of both models or scenes
     CriteriaPreset preset;                      ///< that both are inspected by
@@ -37,6 +37,7 @@ struct CompareBodiesOptions {
 struct CompareResult {
     Comparison comparison;         ///< of the latter with the former
     std::optional<LightRig> rig{}; ///< none for geometry alone
+    Diagnostics remarks{};         ///< on parts of an analysis that could not be followed
 };
 
 /// Reads, measures and compares two models or scenes, in the same coordinates or aligned. The

@@ -42,4 +42,9 @@ Scene without_faces(const Scene& scene, std::span<const std::uint32_t> ids, cons
     return scene_of_body(scene, without(scene.model, hidden_among(scene.model, ids)), job);
 }
 
+std::optional<Scene> without_hidden_faces(const Scene& scene, const Job& job) {
+    if (!scene.analysis || scene.analysis->analysis.hidden.empty()) return {};
+    return without_faces(scene, scene.analysis->hidden(), job);
+}
+
 } // namespace keiko

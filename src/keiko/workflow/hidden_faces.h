@@ -4,6 +4,7 @@
 #include "keiko/workflow/open_scene.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 
 namespace KEIKO_API keiko {
@@ -15,5 +16,8 @@ void require_faces(const SurfaceModel& model, std::span<const std::uint32_t> ids
 /// faces and materials, and have no patches; what they hid comes to light. Throws FieldError for an
 /// id that no face has, and Cancelled.
 Scene without_faces(const Scene& scene, std::span<const std::uint32_t> ids, const Job& job = {});
+
+/// The scene without the faces that its analysis hides; nullopt if it hides none. Throws Cancelled.
+std::optional<Scene> without_hidden_faces(const Scene& scene, const Job& job = {});
 
 } // namespace keiko

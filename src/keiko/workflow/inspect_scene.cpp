@@ -6,9 +6,11 @@
 #include "keiko/film/tone_mapping.h"
 #include "keiko/report/content/report.h"
 #include "keiko/report/content/triaged_faults.h"
+#include "keiko/workflow/analysis_file.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/close_ups.h"
 #include "keiko/workflow/find_lines.h"
+#include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/judged_body.h"
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/report_pictures.h"
@@ -73,8 +75,8 @@ std::vector<std::uint32_t> profiled_seams(const Report& report) {
     return seams;
 }
 
-/// The order of the faults, and the pictures with their markers.
-void add_triage(Report& report, const Scene& scene, const InspectResult& result,
+/// The order of the faults, and the pictures of the part that is shown with their markers.
+void add_triage(Report& report, const Scene& scene, const Scene& part, const InspectResult& result,
                 std::span<const NamedView> views, const Job& job) {
     report.triage =
         triage(scene.model, scene.tracer, whole_inspection(report), scene.ground(), job);
@@ -82,7 +84,7 @@ void add_triage(Report& report, const Scene& scene, const InspectResult& result,
     const std::vector<ShownItem> shown = shown_items(report);
     for (std::size_t i = 0; i < views.size(); ++i)
         report.pictures.push_back(report_picture(views[i].name, tone_mapped(result.films[i].second),
-                                                 markers_in(scene, shown, views[i].camera)));
+                                                 markers_in(part, shown, views[i].camera)));
 }
 
 PictureOptions with_look_layers(PictureOptions options) {
@@ -109,14 +111,28 @@ JudgedParts parts_of(const InspectOptions& options) {
     return {options.join, options.joints, options.acceptances};
 }
 
-double weight_of(const InspectOptions& options) {
+/// The requested curves, and the sections of the scene's analysis.
+CombOptions combs_with_sections(const Scene& scene, CombOptions combs) {
+    if (!scene.analysis) return combs;
+    for (const std::string& section : scene.analysis->analysis.sections)
+        if (std::none_of(combs.planes.begin(), combs.planes.end(),
+                         [&](const SectionPlane& plane) { return plane.name == section; }))
+            combs.planes.push_back(section_plane(section));
+    return combs;
+}
+
+double views_of(const Scene& scene, const InspectOptions& options) {
+    if (!options.views.empty()) return static_cast<double>(options.views.size());
+    const std::size_t own = scene.analysis ? scene.analysis->analysis.views.size() : 0;
+    return own > 0 ? static_cast<double>(own) : automatic_views;
+}
+
+double weight_of(const Scene& scene, const InspectOptions& options, const CombOptions& combs) {
     using W = InspectWeights;
-    const double views =
-        options.views.empty() ? automatic_views : static_cast<double>(options.views.size());
+    const double views = views_of(scene, options);
     return W::choosing + W::placing + W::limiting + parts_of(options).weight() +
            (W::picture + W::lines) * views + W::triage + W::close_ups +
-           (options.register_hits ? W::registering : 0) +
-           (has_curves(options.combs) ? W::combs : 0);
+           (options.register_hits ? W::registering : 0) + (has_curves(combs) ? W::combs : 0);
 }
 
 Film with_only(Film film, const std::vector<Aov>& aovs) {
@@ -130,6 +146,8 @@ std::vector<InputFile> inputs_of(const Scene& scene, const InspectOptions& optio
     if (options.rig) inputs.push_back(*options.rig);
     for (const std::filesystem::path view : options.views)
         if (view.extension() == ".toml") inputs.push_back(view);
+    if (scene.analysis && !scene.analysis->analysis.file.empty())
+        inputs.emplace_back(scene.analysis->analysis.file);
     return input_files(inputs);
 }
 
@@ -167,7 +185,8 @@ void render_views(const Scene& scene, const InspectOptions& options,
 } // namespace
 
 InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, const Job& job) {
-    JobSteps steps(job, weight_of(options));
+    const CombOptions combs = combs_with_sections(scene, options.combs);
+    JobSteps steps(job, weight_of(scene, options, combs));
     const std::vector<NamedView> views =
         choose_views(scene, options.views, automatic_views, steps.next(InspectWeights::choosing));
     InspectResult result;
@@ -180,22 +199,25 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
                                     steps.next(InspectWeights::registering));
     choose_rig(scene, options, views, result, steps.next(InspectWeights::placing, 3));
     result.report.inspection = measured(scene, options, steps);
-    render_views(scene, options, views, result, steps);
+    const std::optional<Scene> part = without_hidden_faces(scene, job);
+    const Scene& shown = part ? *part : scene;
+    render_views(shown, options, views, result, steps);
     result.report.curvature_pictures =
         curvature_pictures(views, result.films, result.report.inspection);
-    add_lines(result.report, scene, result, options, views,
+    add_lines(result.report, shown, result, options, views,
               steps.next_of_steps(InspectWeights::lines * static_cast<double>(views.size())));
-    add_triage(result.report, scene, result, views, steps.next(InspectWeights::triage, 2));
-    if (has_curves(options.combs)) {
-        result.combs = combs_of(scene.model, options.combs, steps.next(InspectWeights::combs));
+    add_triage(result.report, scene, shown, result, views, steps.next(InspectWeights::triage, 2));
+    if (has_curves(combs)) {
+        result.combs = combs_of(scene.model, combs, steps.next(InspectWeights::combs));
         result.report.combs = result.combs->pictures;
         result.report.comb_remarks = result.combs->remarks;
     }
     const int stages = static_cast<int>(std::max<std::size_t>(options.close_ups, 1));
     result.report.close_ups =
-        close_ups(scene, result.rig, result.report, views, without_aovs(options.picture),
+        close_ups(shown, result.rig, result.report, views, without_aovs(options.picture),
                   options.close_ups, steps.next(InspectWeights::close_ups, stages, "close-ups"));
     result.aovs = options.picture.aovs;
+    if (scene.analysis) result.analysis = scene.analysis->analysis;
     return result;
 }
 
@@ -208,6 +230,7 @@ FolderContent result_files(const std::filesystem::path& folder, const InspectRes
             encode_png(marked_image(film, result.report.pictures[i].markers));
     }
     files["rig.toml"] = rig_text(result.rig, folder);
+    if (result.analysis) files["analysis.json"] = analysis_text(*result.analysis, folder);
     const Report& report = result.report;
     files["faults.json"] = faults_json({report.triage, report.profiles}, whole_inspection(report),
                                        report.tool_version);

@@ -44,13 +44,17 @@ struct InspectResult {
     std::optional<Combs> combs{};                    ///< if any were requested
     std::vector<std::pair<std::string, Film>> films; ///< by view name
     std::vector<Aov> aovs{};                         ///< those requested, for EXRs
+    std::optional<Analysis> analysis{};              ///< of the scene, on its body
 };
 
-/// The main job: places the lamps, renders the views, measures the seams, and reports.
+/// The main job: places the lamps, renders the views, measures the seams, and reports. Pictures and
+/// lines are those of the body without the faces that the scene's analysis hides; sections of the
+/// analysis are added to those requested.
 InspectResult inspect_scene(const Scene& scene, const InspectOptions& options = {},
                             const Job& job = {});
 
-/// report.html, report.json, the pictures and rig.toml, for a folder. Pictures are PNGs, and EXRs
+/// report.html, report.json, the pictures, rig.toml and, if there is one, analysis.json, for a
+/// folder. Pictures are PNGs, and EXRs
 /// with the requested AOVs if there are any. The rig names its files relative to the folder's path.
 FolderContent result_files(const std::filesystem::path& folder, const InspectResult& result);
 

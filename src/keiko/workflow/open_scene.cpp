@@ -45,6 +45,15 @@ std::optional<GroundSpec> ground_of(const Scene& scene) {
     return GroundSpec{scene.surroundings->ground, scene.surroundings->materials.back()};
 }
 
+/// Takes the views, the lamps and the size of the pictures of an analysis.
+void take_analysis(Scene& scene, const Analysis& analysis, const Job& job) {
+    scene.analysis = followed_analysis(analysis, scene.model, job);
+    if (analysis.rig) scene.rig = analysis.rig;
+    if (analysis.views.empty()) return;
+    const Camera& first = analysis.views.front().camera;
+    scene.set_picture_size(first.width, first.height);
+}
+
 } // namespace
 
 void Scene::set_picture_size(int wide, int high) {
@@ -55,24 +64,26 @@ void Scene::set_picture_size(int wide, int high) {
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
                  const Job& job) {
     const SceneSpec spec = spec_of(inputs, options.material, options.frame);
-    constexpr double reading = 3, building = 1;
-    JobSteps steps(job, reading + building);
+    constexpr double reading = 3, building = 1, following = 1;
+    JobSteps steps(job, reading + building + (options.analysis ? following : 0));
     auto [body, materials] = read_body(spec, options.load, steps.next(reading));
     Traced all = traced(body, materials, spec.ground, options, steps.next(building));
-    return {.model = std::move(body),
-            .materials = std::move(materials),
-            .tracer = std::move(all.tracer),
-            .occluders = std::move(all.occluders),
-            .camera = spec.camera,
-            .view = spec.view,
-            .rig = spec.rig,
-            .background = spec.background,
-            .width = spec.width,
-            .height = spec.height,
-            .surroundings = std::move(all.surroundings),
-            .max_depth = spec.max_depth,
-            .min_weight = spec.min_weight,
-            .inputs = {inputs.begin(), inputs.end()}};
+    Scene scene{.model = std::move(body),
+                .materials = std::move(materials),
+                .tracer = std::move(all.tracer),
+                .occluders = std::move(all.occluders),
+                .camera = spec.camera,
+                .view = spec.view,
+                .rig = spec.rig,
+                .background = spec.background,
+                .width = spec.width,
+                .height = spec.height,
+                .surroundings = std::move(all.surroundings),
+                .max_depth = spec.max_depth,
+                .min_weight = spec.min_weight,
+                .inputs = {inputs.begin(), inputs.end()}};
+    if (options.analysis) take_analysis(scene, *options.analysis, steps.next(following));
+    return scene;
 }
 
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {
@@ -103,7 +114,8 @@ Scene scene_of_body(const Scene& scene, SurfaceModel body, const Job& job) {
             .surroundings = std::move(all.surroundings),
             .max_depth = scene.max_depth,
             .min_weight = scene.min_weight,
-            .inputs = scene.inputs};
+            .inputs = scene.inputs,
+            .analysis = scene.analysis};
 }
 
 PictureOptions picture_options(const Scene& scene, PictureOptions options) {

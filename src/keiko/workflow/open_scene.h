@@ -9,9 +9,11 @@
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/math/affine.h"
 #include "keiko/render/shading/picture.h"
+#include "keiko/scene/analysis.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/material.h"
 #include "keiko/visibility/query/occluders.h"
+#include "keiko/workflow/followed_analysis.h"
 
 #include <filesystem>
 #include <optional>
@@ -28,6 +30,7 @@ struct SceneOptions {
     bool clipping_only = false;              ///< trace by Bezier clipping alone, see TracerOptions
     bool shadows = false;                    ///< bodies cast shadows, in pictures and numbers
     double frame = 0;                        ///< of a scene file with [[animation]]
+    std::optional<Analysis> analysis{};      ///< whose views and lamps replace the scene's own
 };
 
 /// The body on its ground in pictures: the faces of the body, then that of the ground.
@@ -52,6 +55,7 @@ struct Scene {
     std::optional<int> max_depth{};              ///< of the scene file, else of
     std::optional<double> min_weight{};          ///< PictureOptions
     std::vector<std::filesystem::path> inputs{}; ///< model files, or the scene file
+    std::optional<FollowedAnalysis> analysis{};  ///< that it was opened with, on its body
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }

@@ -43,6 +43,8 @@ ReportFolder read_report_folder(const fs::path& folder) {
                             " is not there; its path is relative to where the inspection ran");
     read.views = std::move(origin.views);
     read.rig = folder / "rig.toml";
+    if (const fs::path analysis = folder / "analysis.json"; fs::is_regular_file(analysis))
+        read.analysis = analysis;
     read.faults = read_text_file(faults);
     require_faults_json(read.faults, faults.string());
     read.changes = changes_of(origin.inputs);

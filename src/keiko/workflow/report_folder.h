@@ -15,6 +15,7 @@ struct ReportFolder {
     std::vector<std::filesystem::path> inputs; ///< the models in order, or the scene file
     std::vector<NamedView> views;              ///< of its pictures, at least one
     std::filesystem::path rig;                 ///< the file with its lamps
+    std::filesystem::path analysis;            ///< the file with its analysis; empty: none
     std::string report;                        ///< text of report.json
     std::string faults;                        ///< text of faults.json
     Diagnostics changes; ///< input files that are missing, or have other bytes than then

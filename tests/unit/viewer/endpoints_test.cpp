@@ -105,9 +105,9 @@ TEST_F(EndpointsTest, ShowsAnEarlierRevisionOnlyWhereThereIsOne) {
     EXPECT_TRUE(has(ask("GET", "/scene"), "\"against\": true"));
     EXPECT_TRUE(has(ask("GET", "/against/scene"), "saddle.bpt"));
     Reader now, before;
-    ASSERT_TRUE(ask("POST", "/still").stream(now));
-    ASSERT_TRUE(ask("POST", "/against/still").stream(before));
-    EXPECT_EQ(before.text.substr(1, 3), "PNG");
+    ASSERT_TRUE(ask("POST", "/deep", "interlaced = false").stream(now));
+    ASSERT_TRUE(ask("POST", "/against/deep", "interlaced = false").stream(before));
+    EXPECT_EQ(before.text.substr(0, 7), "KEIKOD1");
     EXPECT_NE(now.text, before.text);
 }
 

@@ -92,6 +92,20 @@ TEST(LatestWork, ForgetsTheProgressOfWorkThatIsOver) {
     EXPECT_FALSE(work.next_progress("a", 0, {}));
 }
 
+TEST(LatestWork, TellsTheEndOfWorkToAClientThatHasOther) {
+    LatestWork work;
+    const LatestWork::Turn events(work, "a", "events");
+    {
+        const LatestWork::Turn turn(work, "a", "still");
+        turn.job(1).report("render", 0.5);
+    }
+    const auto last = work.next_progress("a", 0, {});
+    ASSERT_TRUE(last);
+    EXPECT_EQ(last->kind, "still");
+    EXPECT_EQ(last->fraction, 1);
+    EXPECT_FALSE(work.next_progress("a", last->number, {}));
+}
+
 TEST(LatestWork, WakesAListenerAtItsEnd) {
     LatestWork work;
     std::stop_source stop;

@@ -22,6 +22,18 @@ std::vector<std::uint32_t> hidden_from(const TomlTable& root) {
     return hidden;
 }
 
+AnalysisView view_from(const TomlTable& table) {
+    const auto camera = table.required("camera", table.table("camera"));
+    AnalysisView view{table.required("name", table.text("name")), camera_from(camera)};
+    view.look = table.text("look").value_or(view.look);
+    return view;
+}
+
+AnalysisNote note_from(const TomlTable& table) {
+    return {table.required("text", table.text("text")),
+            table.required("place", table.vector("place"))};
+}
+
 } // namespace
 
 ViewRequest parse_view_request(std::string_view text) {
@@ -38,6 +50,9 @@ ViewRequest parse_view_request(std::string_view text) {
     request.reflections =
         root.integer("reflections", 1, most_reflections).value_or(request.reflections);
     request.hidden = hidden_from(root);
+    for (const TomlTable& view : root.tables("view")) request.views.push_back(view_from(view));
+    request.sections = root.texts("sections").value_or(std::vector<std::string>());
+    for (const TomlTable& note : root.tables("note")) request.notes.push_back(note_from(note));
     root.finish();
     return request;
 }

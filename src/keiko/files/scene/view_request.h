@@ -2,10 +2,12 @@
 
 #include "keiko/base/export.h"
 #include "keiko/light/rig/light_rig.h"
+#include "keiko/scene/analysis.h"
 #include "keiko/scene/camera.h"
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +20,9 @@ struct ViewRequest {
     bool interlaced = true;                      ///< rows from coarse to fine, see interlaced_rows
     int reflections = 3;                         ///< of a deep buffer, 1 to 8
     std::vector<std::uint32_t> hidden{};         ///< faces that are not shown, as Face::id
+    std::vector<AnalysisView> views{};           ///< of an analysis that is to be kept
+    std::vector<std::string> sections{};         ///< of it, planes such as "y=120"
+    std::vector<AnalysisNote> notes{};           ///< of it
 };
 
 /// Parses a request (keiko-view-request/1, docs/file-formats.md). An empty text requests the view

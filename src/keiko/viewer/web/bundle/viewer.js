@@ -1,64 +1,7 @@
-// source/vector.ts
-var sum = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-var difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-var scaled = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
-var dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-var length = (a) => Math.hypot(...a);
-var unit = (a) => scaled(a, 1 / length(a));
-var cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-function turned(a, axis, angle) {
-  const along = scaled(axis, dot(axis, a) * (1 - Math.cos(angle)));
-  return sum(sum(scaled(a, Math.cos(angle)), scaled(cross(axis, a), Math.sin(angle))), along);
-}
-
-// source/camera.ts
-function axesOf(camera) {
-  const forward = unit(difference(camera.target, camera.eye));
-  const right2 = unit(cross(forward, camera.up));
-  return { right: right2, up: cross(right2, forward), forward };
-}
-function pixelSize(camera) {
-  const height = camera.projection === "orthographic" ? camera.orthographic_height : 2 * Math.tan(camera.vertical_fov * Math.PI / 360);
-  return height / camera.height;
-}
-function rayOf(camera, x, y) {
-  const { right: right2, up, forward } = axesOf(camera);
-  const size2 = pixelSize(camera);
-  const aside = sum(scaled(right2, (x - camera.width / 2) * size2), scaled(up, (camera.height / 2 - y) * size2));
-  return camera.projection === "orthographic" ? { origin: sum(camera.eye, aside), direction: forward } : { origin: camera.eye, direction: unit(sum(forward, aside)) };
-}
-function orbited(camera, about, right2, up) {
-  const vertical = unit(camera.up), axes = axesOf(camera);
-  const steepest = 0.999;
-  const level = dot(turned(axes.forward, axes.right, up), vertical);
-  const raised = Math.abs(level) < steepest ? up : 0;
-  const turn = (v) => turned(turned(v, axes.right, raised), vertical, right2);
-  return {
-    ...camera,
-    eye: sum(about, turn(difference(camera.eye, about))),
-    target: sum(about, turn(difference(camera.target, about)))
-  };
-}
-function panned(camera, x, y) {
-  const { right: right2, up } = axesOf(camera);
-  const far = camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye));
-  const step2 = sum(scaled(right2, -x * pixelSize(camera) * far), scaled(up, y * pixelSize(camera) * far));
-  return { ...camera, eye: sum(camera.eye, step2), target: sum(camera.target, step2) };
-}
-function dollied(camera, factor) {
-  const away = scaled(difference(camera.eye, camera.target), factor);
-  return {
-    ...camera,
-    eye: sum(camera.target, away),
-    orthographic_height: camera.orthographic_height * factor
-  };
-}
-function lookingAt(camera, place, distance) {
-  const away = scaled(unit(difference(camera.eye, camera.target)), distance);
-  return { ...camera, target: place, eye: sum(place, away) };
-}
-function sized(camera, width, height) {
-  return { ...camera, width, height };
+// source/colours.ts
+function showInColours(scheme) {
+  localStorage.setItem("colours", scheme);
+  document.documentElement.style.colorScheme = scheme;
 }
 
 // source/panel.ts
@@ -68,13 +11,22 @@ function element(tag, content = "", properties = {}) {
   return made;
 }
 var byId = (id) => document.getElementById(id);
-function button(name, act) {
-  return element("button", name, { onclick: act, type: "button" });
+function button(name, act2) {
+  return element("button", name, { onclick: act2, type: "button" });
 }
 function download(name, bytes2) {
   const href = URL.createObjectURL(bytes2);
   element("a", "", { href, download: name }).click();
   URL.revokeObjectURL(href);
+}
+function pickedText(ending) {
+  const input = element("input", "", { type: "file", accept: ending });
+  return new Promise((use) => {
+    input.onchange = () => {
+      if (input.files?.[0]) use(input.files[0].text());
+    };
+    input.click();
+  });
 }
 function choice(into, names, pressed, choose) {
   into.replaceChildren(...names.map((name) => {
@@ -87,12 +39,12 @@ function choice(into, names, pressed, choose) {
   }));
 }
 function selection(name, options, chosen, choose) {
-  const list2 = element("select", options.map((option) => element("option", option, { selected: option === chosen })), { ariaLabel: name });
-  list2.onchange = () => choose(list2.value);
-  return element("label", [new Text(`${name} `), list2]);
+  const list3 = element("select", options.map((option) => element("option", option, { selected: option === chosen })), { ariaLabel: name });
+  list3.onchange = () => choose(list3.value);
+  return element("label", [new Text(`${name} `), list3]);
 }
-function showPairs(list2, pairs) {
-  list2.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
+function showPairs(list3, pairs) {
+  list3.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
 }
 function showFacts(facts2) {
   const { lower, upper } = facts2.bounds;
@@ -130,15 +82,100 @@ function showRows(planes, selected, select, change2) {
   const head = element("tr", ["row", "lamps", "pitch mm", "Ø mm"].map((name) => element("th", name)));
   byId("rows").replaceChildren(element("table", [head, ...lines2]));
 }
-function showSeams(seams, fly) {
-  const order = ["fail", "undecided", "pass"];
-  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
-  const lines2 = sorted.map((seam) => element("tr", [
-    element("td", seam.verdict, { className: seam.verdict }),
-    element("td", seam.kind),
-    element("td", [button(seam.faces, () => fly(seam))])
-  ]));
-  byId("seams").replaceChildren(seams.length > 0 ? element("table", lines2) : element("p", "no seams"));
+
+// source/progress.ts
+var patience = 1e3;
+var timer = 0;
+function showProgress(stage, fraction) {
+  const shown2 = byId("work"), clear = () => {
+    shown2.textContent = "";
+  };
+  clearTimeout(timer);
+  if (fraction >= 1) return clear();
+  shown2.textContent = `${stage} ${Math.floor(100 * fraction)} %`;
+  timer = window.setTimeout(clear, patience);
+}
+
+// source/server.ts
+function tokenOf() {
+  const fragment = new URLSearchParams(location.hash.slice(1)), given = fragment.get("token");
+  if (given) {
+    sessionStorage.setItem("token", given);
+    fragment.delete("token");
+    history.replaceState(null, "", `#${fragment}`);
+  }
+  return sessionStorage.getItem("token") ?? "";
+}
+var token = tokenOf();
+var headers = { "X-Keiko-Token": token, "X-Keiko-Client": `page-${crypto.randomUUID()}` };
+async function ask(method, path, body2, signal) {
+  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body2 ?? "", signal });
+  if (reply.ok) return reply;
+  const text2 = await reply.text();
+  let reason = text2;
+  try {
+    reason = JSON.parse(text2).error;
+  } catch {
+  }
+  throw new Error(`${path}: ${reason}`);
+}
+var facts = async () => (await ask("GET", "/scene")).json();
+var newRig = async (toml) => (await ask("PUT", "/rig", toml)).json();
+var vector = (v) => `[${v.join(", ")}]`;
+function planeText(plane) {
+  return [
+    "[[c_plane]]",
+    `origin = ${vector(plane.origin)}`,
+    `u = ${vector(plane.u)}`,
+    `v = ${vector(plane.v)}`,
+    `lamps = ${plane.lamps}`,
+    `pitch = ${plane.pitch}`,
+    `diameter = ${plane.diameter}`,
+    `luminance = ${vector(plane.luminance)}`,
+    `caps = "${plane.caps}"`,
+    `mirror = "${plane.mirror}"`
+  ].join("\n");
+}
+function cameraText(camera) {
+  const lens = camera.projection === "orthographic" ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
+  return [
+    `projection = "${camera.projection}"`,
+    `eye = ${vector(camera.eye)}`,
+    `target = ${vector(camera.target)}`,
+    `up = ${vector(camera.up)}`,
+    lens
+  ].join("\n");
+}
+var viewText = (camera) => `format = "keiko-view/1"
+${cameraText(camera)}
+`;
+var hiddenText = (faces) => faces.length > 0 ? `hidden = ${vector(faces)}` : "";
+function requestText(camera, planes, more = "") {
+  return [
+    'format = "keiko-view-request/1"',
+    more,
+    planes?.length === 0 ? "c_plane = []" : "",
+    "[camera]",
+    cameraText(camera),
+    `size = [${camera.width}, ${camera.height}]`,
+    ...(planes ?? []).map(planeText),
+    ""
+  ].join("\n");
+}
+async function followProgress(tell) {
+  const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
+  let text2 = "";
+  for (; ; ) {
+    const { value, done } = await reader.read();
+    if (done) return;
+    const lines2 = (text2 + value).split("\n");
+    text2 = lines2.pop();
+    for (const line of lines2)
+      if (line.startsWith("data: ")) {
+        const { stage, fraction } = JSON.parse(line.slice(6));
+        tell(stage, fraction);
+      }
+  }
 }
 
 // source/fresnel.ts
@@ -175,6 +212,77 @@ var Mirrors = class {
   }
 };
 
+// source/vector.ts
+var sum = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
+var difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+var scaled = (a, s) => [a[0] * s, a[1] * s, a[2] * s];
+var dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+var length = (a) => Math.hypot(...a);
+var unit = (a) => scaled(a, 1 / length(a));
+var cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+function turned(a, axis, angle) {
+  const along = scaled(axis, dot(axis, a) * (1 - Math.cos(angle)));
+  return sum(sum(scaled(a, Math.cos(angle)), scaled(cross(axis, a), Math.sin(angle))), along);
+}
+
+// source/camera.ts
+function axesOf(camera) {
+  const forward = unit(difference(camera.target, camera.eye));
+  const right2 = unit(cross(forward, camera.up));
+  return { right: right2, up: cross(right2, forward), forward };
+}
+function pixelSize(camera) {
+  const height = camera.projection === "orthographic" ? camera.orthographic_height : 2 * Math.tan(camera.vertical_fov * Math.PI / 360);
+  return height / camera.height;
+}
+var CameraFrame = class {
+  constructor(camera) {
+    this.camera = camera;
+    this.axes = axesOf(camera);
+    this.size = pixelSize(camera);
+    this.isParallel = camera.projection === "orthographic";
+  }
+};
+function rayOf(camera, x, y) {
+  const { right: right2, up, forward } = axesOf(camera);
+  const size2 = pixelSize(camera);
+  const aside = sum(scaled(right2, (x - camera.width / 2) * size2), scaled(up, (camera.height / 2 - y) * size2));
+  return camera.projection === "orthographic" ? { origin: sum(camera.eye, aside), direction: forward } : { origin: camera.eye, direction: unit(sum(forward, aside)) };
+}
+function orbited(camera, about, right2, up) {
+  const vertical = unit(camera.up), axes2 = axesOf(camera);
+  const steepest = 0.999;
+  const level = dot(turned(axes2.forward, axes2.right, up), vertical);
+  const raised = Math.abs(level) < steepest ? up : 0;
+  const turn = (v) => turned(turned(v, axes2.right, raised), vertical, right2);
+  return {
+    ...camera,
+    eye: sum(about, turn(difference(camera.eye, about))),
+    target: sum(about, turn(difference(camera.target, about)))
+  };
+}
+function panned(camera, x, y) {
+  const { right: right2, up } = axesOf(camera);
+  const far = camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye));
+  const step2 = sum(scaled(right2, -x * pixelSize(camera) * far), scaled(up, y * pixelSize(camera) * far));
+  return { ...camera, eye: sum(camera.eye, step2), target: sum(camera.target, step2) };
+}
+function dollied(camera, factor) {
+  const away = scaled(difference(camera.eye, camera.target), factor);
+  return {
+    ...camera,
+    eye: sum(camera.target, away),
+    orthographic_height: camera.orthographic_height * factor
+  };
+}
+function lookingAt(camera, place, distance) {
+  const away = scaled(unit(difference(camera.eye, camera.target)), distance);
+  return { ...camera, target: place, eye: sum(place, away) };
+}
+function sized(camera, width, height) {
+  return { ...camera, width, height };
+}
+
 // source/ray.ts
 var rayNumbers = 18;
 var originX = 6;
@@ -182,13 +290,7 @@ var originY = 9;
 var directionX = 12;
 var directionY = 15;
 var direction = 3;
-var CameraRays = class {
-  constructor(camera) {
-    this.camera = camera;
-    this.axes = axesOf(camera);
-    this.size = pixelSize(camera);
-    this.isParallel = camera.projection === "orthographic";
-  }
+var CameraRays = class extends CameraFrame {
   /** Sets a ray to that through a pixel's centre. */
   set(ray, x, y) {
     const { right: right2, up, forward } = this.axes, { eye, width, height } = this.camera, { size: size2 } = this;
@@ -578,9 +680,9 @@ var PathSet = class {
   /** Makes room for so many paths. */
   reserve(paths) {
     if (this.list.length >= paths) return;
-    const list2 = new Uint32Array(2 * paths), members = new Uint8Array(2 * paths);
-    list2.set(this.list), members.set(this.members);
-    this.list = list2, this.members = members;
+    const list3 = new Uint32Array(2 * paths), members = new Uint8Array(2 * paths);
+    list3.set(this.list), members.set(this.members);
+    this.list = list3, this.members = members;
   }
   add(path) {
     if (this.members[path] === 1) return;
@@ -617,8 +719,8 @@ var RayList = class {
   add(ray, way, weight) {
     const i = this.count++;
     if (this.ways.length <= i) this.reserve(2 * i + 1);
-    const { numbers, weights } = this;
-    for (let k = 0; k < rayNumbers; ++k) numbers[i * rayNumbers + k] = ray[k];
+    const { numbers: numbers2, weights } = this;
+    for (let k = 0; k < rayNumbers; ++k) numbers2[i * rayNumbers + k] = ray[k];
     for (let k = 0; k < 3; ++k) weights[3 * i + k] = weight[k];
     this.ways[i] = way;
   }
@@ -629,8 +731,8 @@ var leastWidth = 1e-6;
 function below(wide2, narrow2, x) {
   const away = Math.abs(x), reach2 = 0.5 * (wide2 + narrow2);
   if (away >= reach2) return x < 0 ? -0.5 : 0.5;
-  const rest2 = reach2 - away;
-  const inside = away <= reach2 - narrow2 ? away / wide2 : 0.5 - 0.5 * rest2 * rest2 / (wide2 * narrow2);
+  const rest3 = reach2 - away;
+  const inside = away <= reach2 - narrow2 ? away / wide2 : 0.5 - 0.5 * rest3 * rest3 / (wide2 * narrow2);
   return x < 0 ? -inside : inside;
 }
 function share(wide2, narrow2, begin, end) {
@@ -774,9 +876,9 @@ var RowCoverage = class {
     this.isCurrent = true;
   }
   projectAll(changed, pathOf) {
-    const { rays: { numbers, ways: ways2, count }, row: row2, images, covered, met } = this;
+    const { rays: { numbers: numbers2, ways: ways2, count }, row: row2, images, covered, met } = this;
     for (let i = this.projected; i < count; ++i) {
-      project(row2, numbers, rayNumbers * i, images, imageNumbers * i);
+      project(row2, numbers2, rayNumbers * i, images, imageNumbers * i);
       const t = images[imageNumbers * i];
       if (t > 0 && t <= ways2[i]) met[this.metCount++] = i;
       else if (covered[i] > 0) covered[i] = 0, changed.add(pathOf ? pathOf[i] : i);
@@ -792,11 +894,11 @@ var RowCoverage = class {
   }
   /** Makes `covered` exact at the ends of lamps. */
   finish(changed) {
-    const { rays: { numbers }, row: row2, images, covered, met, metCount, du, dv } = this, pathOf = this.pathOf?.() ?? null;
+    const { rays: { numbers: numbers2 }, row: row2, images, covered, met, metCount, du, dv } = this, pathOf = this.pathOf?.() ?? null;
     for (let k = 0; k < metCount; ++k) {
       const i = met[k];
       if (!isAtEnd(row2, images, imageNumbers * i, du, dv)) continue;
-      const c = Math.fround(endCoverage(row2, numbers, rayNumbers * i));
+      const c = Math.fround(endCoverage(row2, numbers2, rayNumbers * i));
       if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
     }
   }
@@ -932,32 +1034,32 @@ var LampLight = class {
   }
   /** Sets `seen` to the light along a ray, from what its rows cover of it. */
   look(isLater, ray) {
-    const { rows, seen, order, partCoverage, distances } = this;
+    const { rows, seen, order: order2, partCoverage, distances } = this;
     let count = 0;
     seen[0] = seen[1] = seen[2] = seen[3] = 0;
     for (let i = 0; i < rows.length; ++i) {
       const covered = (isLater ? rows[i].later : rows[i].first).covered[ray];
-      if (covered > 0) order[count++] = i, partCoverage[i] = covered;
+      if (covered > 0) order2[count++] = i, partCoverage[i] = covered;
     }
     if (count === 0) return;
     if (count > 1)
       for (let h = 0; h < count; ++h) {
-        const level = rows[rows[order[h]].level];
-        distances[order[h]] = (isLater ? level.later : level.first).images[imageNumbers * ray];
+        const level = rows[rows[order2[h]].level];
+        distances[order2[h]] = (isLater ? level.later : level.first).images[imageNumbers * ray];
       }
     this.addUp(count, 1);
   }
   /** Adds to `seen` the light of `order`'s rows, the nearest first, of which each dims those behind it. */
   addUp(count, share2) {
-    const { rows, seen, order, partCoverage, distances } = this;
+    const { rows, seen, order: order2, partCoverage, distances } = this;
     for (let h = 1; h < count; ++h)
-      for (let g = h; g > 0 && distances[order[g]] < distances[order[g - 1]]; --g) {
-        const nearer = order[g];
-        order[g] = order[g - 1], order[g - 1] = nearer;
+      for (let g = h; g > 0 && distances[order2[g]] < distances[order2[g - 1]]; --g) {
+        const nearer = order2[g];
+        order2[g] = order2[g - 1], order2[g - 1] = nearer;
       }
     let passed = share2;
     for (let h = 0; h < count; ++h) {
-      const covered = passed * partCoverage[order[h]], { luminance } = rows[order[h]].frame;
+      const covered = passed * partCoverage[order2[h]], { luminance } = rows[order2[h]].frame;
       for (let k = 0; k < 3; ++k) seen[k] += luminance[k] * covered;
       seen[3] += covered, passed -= covered;
     }
@@ -980,7 +1082,7 @@ var LampLight = class {
     return true;
   }
   addPart(way, share2) {
-    const { rows, image, order, partCoverage, distances, cubic } = this;
+    const { rows, image, order: order2, partCoverage, distances, cubic } = this;
     let count = 0;
     for (let i = 0; i < rows.length; ++i) {
       const { frame } = rows[i];
@@ -988,7 +1090,7 @@ var LampLight = class {
       const t = distances[i] = image[0];
       if (rows[i].level < i) distances[i] = distances[rows[i].level];
       const covered = !(t > 0 && t <= way) ? 0 : isAtEnd(frame, image, 0, 0, 0) ? endCoverage(frame, cubic.ray, 0) : coverage(frame, image, 0, 0, 0);
-      if (covered > 0) order[count++] = i, partCoverage[i] = covered;
+      if (covered > 0) order2[count++] = i, partCoverage[i] = covered;
     }
     this.addUp(count, share2);
   }
@@ -1012,13 +1114,13 @@ var LampLight = class {
   }
   /** Bend of a pixel's image on a row's plane: in pitches across the lamps, at their ends also as a share of its span. */
   bendOf(row2, path, around) {
-    const buffer = this.buffer, { numbers } = buffer.first, { frame } = row2;
+    const buffer = this.buffer, { numbers: numbers2 } = buffer.first, { frame } = row2;
     if (row2.bends.length < buffer.paths) row2.bends = new Float32Array(buffer.paths).fill(-1);
     if (row2.bends[path] === -1)
-      row2.bends[path] = bendAcross(frame, numbers, around, footprintOf(frame, numbers, rayNumbers * path));
+      row2.bends[path] = bendAcross(frame, numbers2, around, footprintOf(frame, numbers2, rayNumbers * path));
     const across = row2.bends[path] / frame.pitch;
     if (!mayHoldEnd(frame, row2.first.images, imageNumbers * path, row2.first.moved[0])) return across;
-    return Math.max(across, bendAlong(frame, numbers, around, footprintOf(frame, numbers, rayNumbers * path)));
+    return Math.max(across, bendAlong(frame, numbers2, around, footprintOf(frame, numbers2, rayNumbers * path)));
   }
 };
 function isInOnePlane(a, b) {
@@ -1056,7 +1158,7 @@ function colorOf(look, buffer, scale) {
     case "highlight lines":
       return bands(buffer, highlightPhase(buffer, scale.planes.map((plane) => new RowFrame(plane))));
     case "curvature":
-      return (path) => curvatureColor(buffer.surfaceOf(path).mean / scale.fullCurvature);
+      return curvatureColor(buffer, scale);
     case "draft":
       return draftColor(buffer);
     case "faces":
@@ -1066,8 +1168,8 @@ function colorOf(look, buffer, scale) {
 var normalOf = ({ normals }, path) => [normals[3 * path], normals[3 * path + 1], normals[3 * path + 2]];
 var faceOf = ({ samples, pixels }, path) => samples[8 * pixels[path] + 7];
 var angleToVertical = (d) => degrees * Math.atan2(Math.hypot(d[0], d[1]), d[2]);
-function placeOf({ first: { numbers } }, path) {
-  return [numbers[18 * path], numbers[18 * path + 1], numbers[18 * path + 2]];
+function placeOf({ first: { numbers: numbers2 } }, path) {
+  return [numbers2[18 * path], numbers2[18 * path + 1], numbers2[18 * path + 2]];
 }
 function viewOf(buffer) {
   const { camera } = buffer, { forward } = axesOf(camera);
@@ -1077,8 +1179,8 @@ function facingOf(buffer) {
   const view = viewOf(buffer);
   return (path) => -dot(view(path), normalOf(buffer, path));
 }
-function zebraPhase({ first: { numbers } }) {
-  return (path) => 2 * angleToVertical([numbers[18 * path + 3], numbers[18 * path + 4], numbers[18 * path + 5]]) / 10;
+function zebraPhase({ first: { numbers: numbers2 } }) {
+  return (path) => 2 * angleToVertical([numbers2[18 * path + 3], numbers2[18 * path + 4], numbers2[18 * path + 5]]) / 10;
 }
 function highlightPhase(buffer, rows) {
   return (path) => {
@@ -1123,10 +1225,37 @@ var mixed = (a, b, share2) => {
   return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 };
 var signedStops = [[0.02, 0.12, 0.55], [0.25, 0.55, 0.9], [0.87, 0.87, 0.87], [0.95, 0.5, 0.25], [0.6, 0.02, 0.05]];
-function curvatureColor(share2) {
-  if (Number.isNaN(share2)) return unknown;
+function curvatureOf(kind, surface) {
+  const [larger, smaller] = surface.principal;
+  switch (kind) {
+    case "mean":
+      return surface.mean;
+    case "gauss":
+      return larger * smaller;
+    case "k1":
+      return larger;
+    case "k2":
+      return smaller;
+    case "absolute":
+      return Math.abs(larger) + Math.abs(smaller);
+  }
+}
+function curvatureColor(buffer, { kind, fullCurvature }) {
+  const colorAt = kind === "absolute" ? rainbow : signedColor;
+  return (path) => {
+    const surface = buffer.surfaceOf(path);
+    if (surface.face < 0 && kind === "absolute") return ground;
+    const share2 = curvatureOf(kind, surface) / fullCurvature;
+    return Number.isNaN(share2) ? unknown : colorAt(share2);
+  };
+}
+function signedColor(share2) {
   const at = 2 * (Math.min(Math.max(share2, -1), 1) + 1), first = Math.min(3, Math.floor(at));
   return mixed(signedStops[first], signedStops[first + 1], at - first);
+}
+function rainbow(share2) {
+  const x = 4 * Math.min(Math.max(share2, 0), 1), inside = (value) => Math.min(Math.max(value, 0), 1);
+  return [inside(x - 2), inside(Math.min(x, 4 - x)), inside(2 - x)];
 }
 function draftColor(buffer) {
   const steps = 8, floatAngle = 1e-4;
@@ -1284,9 +1413,9 @@ var SurfaceBuffer = class {
     this.pathOf[pixel] = path;
   }
   /** Goes on along the last path, to the surface of a bounce. */
-  bounce(numbers, at) {
+  bounce(numbers2, at) {
     const { ray, weight, surface, mirrors } = this;
-    surface.read(numbers, at);
+    surface.read(numbers2, at);
     mirrors.weigh(weight, surface.face, cosineAt(ray, surface));
     reflect(ray, surface);
     if (surface.isPoint) narrow(ray);
@@ -1394,15 +1523,15 @@ var Picture = class {
       values[path] = 0.2126 * light[3 * path] + 0.7152 * light[3 * path + 1] + 0.0722 * light[3 * path + 2];
     return quantile(values, 0.99) || 1;
   }
-  /** The round curvature, 1/mm, that 2 % of the body's picture exceed. */
-  usualCurvature() {
+  /** The round curvature of a kind that 2 % of the body's picture exceed. */
+  usualCurvature(kind) {
     const { buffer } = this, sizes = [];
     for (let path = 0; buffer && path < buffer.paths; ++path) {
       const surface = buffer.surfaceOf(path);
-      if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(surface.mean));
+      if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(curvatureOf(kind, surface)));
     }
     const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
-    return power * ([1, 2, 5].find((step2) => value <= step2 * power * (1 + 1e-9)) ?? 10);
+    return Number((power * ([1, 2, 5].find((step2) => value <= step2 * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
   }
   /** The surface at a pixel, if there is one. */
   pick(x, y) {
@@ -1424,14 +1553,14 @@ var Picture = class {
     const shown2 = `lamps ${white}`;
     if (this.shown === shown2 && this.shownBuffer === buffer) return this.writeChanged(white);
     this.shown = shown2, this.shownBuffer = buffer;
-    const { words } = this, [r, g, b] = this.facts.background.map((light) => byteOf(light / white));
-    words.fill(word(r, g, b));
+    const { words: words2 } = this, [r, g, b] = this.facts.background.map((light) => byteOf(light / white));
+    words2.fill(word(r, g, b));
     for (let path = 0; path < buffer.paths; ++path) this.write(path, 1 / white);
   }
   /** Writes the light of the paths that the last update of the lamps changed. */
   writeChanged(white) {
-    const { list: list2, count } = this.lamps.changed;
-    for (let i = 0; i < count; ++i) this.write(list2[i], 1 / white);
+    const { list: list3, count } = this.lamps.changed;
+    for (let i = 0; i < count; ++i) this.write(list3[i], 1 / white);
   }
   write(path, perWhite) {
     const light = this.lamps.luminance, at = 3 * path;
@@ -1454,87 +1583,245 @@ function quantile(values, share2) {
   return values.sort()[Math.round(share2 * (values.length - 1))] ?? 0;
 }
 
-// source/server.ts
-function tokenOf() {
-  const fragment = new URLSearchParams(location.hash.slice(1)), given = fragment.get("token");
-  if (given) {
-    sessionStorage.setItem("token", given);
-    fragment.delete("token");
-    history.replaceState(null, "", `#${fragment}`);
-  }
-  return sessionStorage.getItem("token") ?? "";
+// source/look_words.ts
+var curvatureKinds = ["mean", "gauss", "k1", "k2", "absolute"];
+var words = { isophotes: "isophote", "highlight lines": "highlight" };
+function wordOf({ look, kind }, fullCurvature) {
+  if (look !== "curvature") return words[look] ?? look;
+  return `curvature:${kind}${fullCurvature ? `=${fullCurvature}` : ""}`;
 }
-var token = tokenOf();
-var headers = { "X-Keiko-Token": token, "X-Keiko-Client": `page-${crypto.randomUUID()}` };
-async function ask(method, path, body2, signal) {
-  const reply = await fetch(path, { method, headers, body: method === "GET" ? void 0 : body2 ?? "", signal });
-  if (reply.ok) return reply;
-  const text2 = await reply.text();
-  let reason = text2;
-  try {
-    reason = JSON.parse(text2).error;
-  } catch {
-  }
-  throw new Error(`${path}: ${reason}`);
+function lookOf(word2) {
+  const kind = curvatureKinds.find((name) => word2.split("=")[0] === `curvature:${name}`);
+  if (kind) return { look: "curvature", kind };
+  const look = looks.find((name) => name !== "curvature" && (words[name] ?? name) === word2);
+  return look ? { look, kind: "mean" } : null;
 }
-var facts = async () => (await ask("GET", "/scene")).json();
-var newRig = async (toml) => (await ask("PUT", "/rig", toml)).json();
-var vector = (v) => `[${v.join(", ")}]`;
-function planeText(plane) {
-  return [
-    "[[c_plane]]",
-    `origin = ${vector(plane.origin)}`,
-    `u = ${vector(plane.u)}`,
-    `v = ${vector(plane.v)}`,
-    `lamps = ${plane.lamps}`,
-    `pitch = ${plane.pitch}`,
-    `diameter = ${plane.diameter}`,
-    `luminance = ${vector(plane.luminance)}`,
-    `caps = "${plane.caps}"`,
-    `mirror = "${plane.mirror}"`
-  ].join("\n");
+
+// source/analysis.ts
+function opened({ analysis, remarks, rig }) {
+  if (!analysis) return null;
+  return {
+    views: analysis.views,
+    sections: analysis.sections,
+    rig,
+    hidden: analysis.hidden.map(({ face }) => face),
+    notes: analysis.notes.map(({ text: text2, place, face }) => ({ text: text2, place, face: face ?? 0 })),
+    remarks: remarks.map(({ entity, message }) => `${entity} ${message}`)
+  };
 }
-function cameraText(camera) {
-  const lens = camera.projection === "orthographic" ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
-  return [
-    `projection = "${camera.projection}"`,
-    `eye = ${vector(camera.eye)}`,
-    `target = ${vector(camera.target)}`,
-    `up = ${vector(camera.up)}`,
-    lens
-  ].join("\n");
-}
-var viewText = (camera) => `format = "keiko-view/1"
+var fetchAnalysis = async () => opened(await (await ask("GET", "/analysis")).json());
+var openAnalysis = async (text2) => opened(await (await ask("PUT", "/analysis", text2)).json());
+var shownView = "shown";
+var quoted = (text2) => JSON.stringify(text2.replace(/\u007f/g, ""));
+function viewText2({ name, look, camera }) {
+  return `[[view]]
+name = ${quoted(name)}
+look = ${quoted(look)}
+[view.camera]
 ${cameraText(camera)}
-`;
-var hiddenText = (faces) => faces.length > 0 ? `hidden = ${vector(faces)}` : "";
-function requestText(camera, planes, more = "") {
-  return [
-    'format = "keiko-view-request/1"',
-    more,
-    planes?.length === 0 ? "c_plane = []" : "",
-    "[camera]",
-    cameraText(camera),
-    `size = [${camera.width}, ${camera.height}]`,
-    ...(planes ?? []).map(planeText),
-    ""
+size = [${camera.width}, ${camera.height}]`;
+}
+async function analysisFile({ camera, display, hidden, sections, views, notes }) {
+  const first = { name: shownView, look: wordOf(display, display.fullCurvature), camera };
+  const more = [hiddenText(hidden), sections.length > 0 ? `sections = [${sections.map(quoted).join(", ")}]` : ""].join("\n");
+  const tables = [
+    ...[first, ...views].map(viewText2),
+    ...notes.map(({ text: text2, place }) => `[[note]]
+text = ${quoted(text2)}
+place = [${place.join(", ")}]`)
   ].join("\n");
+  return (await ask("POST", "/analysis", `${requestText(camera, display.planes, more)}${tables}
+`)).blob();
 }
-async function followProgress(tell) {
-  const reader = (await ask("GET", "/events")).body.pipeThrough(new TextDecoderStream()).getReader();
-  let text2 = "";
-  for (; ; ) {
-    const { value, done } = await reader.read();
-    if (done) return;
-    const lines2 = (text2 + value).split("\n");
-    text2 = lines2.pop();
-    for (const line of lines2)
-      if (line.startsWith("data: ")) {
-        const { stage, fraction } = JSON.parse(line.slice(6));
-        tell(stage, fraction);
-      }
+
+// source/eye_overlay.ts
+var EyeOverlay = class {
+  /** `draw` draws for an eye on a canvas of its picture's size. */
+  constructor(id, picture, camera, draw) {
+    this.picture = picture;
+    this.camera = camera;
+    this.draw = draw;
+    this.drawn = null;
+    this.isFollowing = false;
+    this.canvas = element("canvas", "", { id, className: "overlay" });
+    picture.after(this.canvas);
   }
+  /** Draws what has changed, and goes on with the eye as long as there is something. */
+  show(isThere) {
+    this.drawn = null;
+    const wasFollowing = this.isFollowing;
+    this.isFollowing = isThere;
+    if (isThere && !wasFollowing) this.follow();
+    if (!isThere) this.canvas.width = 0;
+  }
+  follow() {
+    if (!this.isFollowing) return;
+    const camera = this.camera(), { width, height } = this.picture.style;
+    Object.assign(this.canvas.style, { width, height });
+    if (camera !== this.drawn) {
+      Object.assign(this.canvas, { width: camera.width, height: camera.height });
+      this.draw(this.canvas.getContext("2d"), camera);
+      this.drawn = camera;
+    }
+    requestAnimationFrame(() => this.follow());
+  }
+};
+
+// source/projection.ts
+var Projection = class extends CameraFrame {
+  constructor() {
+    super(...arguments);
+    this.x = 0;
+    // px
+    this.y = 0;
+    // px
+    this.depth = 0;
+  }
+  // mm from the eye, or from its plane
+  /** Takes the place that three numbers state; false for one beside or behind an eye. */
+  set(numbers2, at = 0) {
+    const { camera: { eye, width, height }, axes: { right: right2, up, forward } } = this;
+    const a = numbers2[at] - eye[0], b = numbers2[at + 1] - eye[1], c = numbers2[at + 2] - eye[2];
+    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
+    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
+    this.x = 0.5 * width + (a * right2[0] + b * right2[1] + c * right2[2]) * scale;
+    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
+    return scale > 0;
+  }
+};
+
+// source/notes.ts
+var Notes = class {
+  /** `changed` is called after each change by the user. */
+  constructor(into, host, picture, changed) {
+    this.into = into;
+    this.host = host;
+    this.changed = changed;
+    this.notes = [];
+    this.marks = new EyeOverlay("note-marks", picture, () => host.camera(), (context, camera) => {
+      const projection = new Projection(camera);
+      this.notes.forEach((note, i) => {
+        if (projection.set(note.place)) mark(context, projection.x, projection.y, String(i + 1));
+      });
+    });
+  }
+  get all() {
+    return this.notes;
+  }
+  show(notes) {
+    this.notes = notes;
+    this.marks.show(notes.length > 0);
+    this.into.replaceChildren(notes.length > 0 ? element("ol", notes.map((note) => this.entry(note))) : element("p", "Click on the body and write one under Place.", { className: "soft" }));
+  }
+  add(note) {
+    this.show([...this.notes, note]);
+    this.changed();
+  }
+  entry(note) {
+    const remove = button("×", () => {
+      this.show(this.notes.filter((other) => other !== note));
+      this.changed();
+    });
+    remove.title = "remove the note";
+    const lost = note.face > 0 ? [] : [element("div", "not on this part any more", { className: "soft" })];
+    return element("li", [button(note.text, () => this.host.flyTo(note.place)), remove, ...lost]);
+  }
+};
+function mark(context, x, y, text2) {
+  const radius = 9;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fillStyle = "#ffd23a", context.strokeStyle = "#222";
+  context.fill(), context.stroke();
+  context.fillStyle = "#222", context.font = "bold 12px sans-serif";
+  context.textAlign = "center", context.textBaseline = "middle";
+  context.fillText(text2, x, y + 0.5);
 }
+
+// source/analysis_panel.ts
+var storedViews = "views";
+var AnalysisPanel = class {
+  constructor(into, host, picture) {
+    this.host = host;
+    this.views = JSON.parse(sessionStorage.getItem(storedViews) ?? "[]");
+    this.list = element("p");
+    this.remarks = element("div", "", { className: "soft" });
+    const notes = element("div");
+    this.notes = new Notes(notes, host, picture, () => host.keep());
+    into.replaceChildren(
+      element("p", [
+        button("keep this view", () => this.keepView()),
+        button("save analysis", () => void this.save()),
+        button("open analysis", () => void this.open())
+      ]),
+      this.list,
+      this.remarks,
+      element("h3", "Notes"),
+      notes
+    );
+    this.notes.show([]);
+    this.showViews();
+  }
+  /** Shows what a file or the server has. */
+  take(analysis) {
+    this.setViews(analysis.views.filter(({ name }) => name !== shownView));
+    this.notes.show(analysis.notes);
+    this.remarks.replaceChildren(...analysis.remarks.map((remark) => element("div", remark)));
+    this.host.take(analysis);
+  }
+  addNote(note) {
+    this.notes.add(note);
+  }
+  keepView() {
+    const taken = new Set(this.views.map(({ name }) => name));
+    let number = 1;
+    while (taken.has(`view-${number}`)) ++number;
+    const display = this.host.display();
+    this.setViews([...this.views, { name: `view-${number}`, look: wordOf(display, display.fullCurvature), camera: this.host.camera() }]);
+  }
+  setViews(views) {
+    this.views = views;
+    sessionStorage.setItem(storedViews, JSON.stringify(views));
+    this.showViews();
+  }
+  showViews() {
+    this.list.replaceChildren(...this.views.flatMap((view) => {
+      const remove = button("×", () => this.setViews(this.views.filter((other) => other !== view)));
+      remove.title = "forget the view";
+      return [button(view.name, () => this.show(view)), remove, new Text(" ")];
+    }));
+  }
+  show({ camera, look }) {
+    const stated = lookOf(look);
+    if (stated) this.host.choose(stated);
+    this.host.lookFrom(camera);
+    if (!stated) this.host.tell(`this page does not draw ${look}`);
+  }
+  async save() {
+    const { host } = this;
+    try {
+      download("analysis.json", await analysisFile({
+        camera: host.camera(),
+        display: host.display(),
+        hidden: host.hidden(),
+        sections: host.sections(),
+        views: this.views,
+        notes: this.notes.all
+      }));
+      host.tell("analysis.json is in your downloads; keiko view, inspect, render and compare take it with --analysis");
+    } catch (error) {
+      host.fail(error);
+    }
+  }
+  async open() {
+    const text2 = await pickedText(".json");
+    try {
+      this.take(await openAnalysis(text2));
+    } catch (error) {
+      this.host.fail(error);
+    }
+  }
+};
 
 // source/deep_buffer.ts
 var header = 32;
@@ -1595,31 +1882,6 @@ async function readPasses(reply, use) {
   }
 }
 
-// source/projection.ts
-var Projection = class {
-  constructor(camera) {
-    this.camera = camera;
-    this.x = 0;
-    // px
-    this.y = 0;
-    // px
-    this.depth = 0;
-    this.axes = axesOf(camera);
-    this.size = pixelSize(camera);
-    this.isParallel = camera.projection === "orthographic";
-  }
-  /** Takes the place that three numbers state; false for one beside or behind an eye. */
-  set(numbers, at = 0) {
-    const { camera: { eye, width, height }, axes: { right: right2, up, forward } } = this;
-    const a = numbers[at] - eye[0], b = numbers[at + 1] - eye[1], c = numbers[at + 2] - eye[2];
-    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
-    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
-    this.x = 0.5 * width + (a * right2[0] + b * right2[1] + c * right2[2]) * scale;
-    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
-    return scale > 0;
-  }
-};
-
 // source/reprojection.ts
 var numbersOfSample2 = 8;
 var sameSurface = 1e-3;
@@ -1627,9 +1889,9 @@ function reprojected(from, camera) {
   const { width, height } = camera, samples = new Float32Array(numbersOfSample2 * width * height);
   for (let at = 0; at < samples.length; at += numbersOfSample2) samples[at] = Infinity;
   const projection = new SurfaceProjection(camera), side = squareOf(from, camera);
-  const { first: { numbers } } = from;
+  const { first: { numbers: numbers2 } } = from;
   for (let path = 0; path < from.paths; ++path) {
-    projection.set(numbers, 18 * path);
+    projection.set(numbers2, 18 * path);
     const { x, y, depth } = projection;
     if (!(depth > 0)) continue;
     const left2 = Math.floor(x - 0.5 * (side - 1)), top2 = Math.floor(y - 0.5 * (side - 1));
@@ -1659,9 +1921,9 @@ var SurfaceProjection = class extends Projection {
     this.origin = [0, 0, 0];
     this.ray = [0, 0, 0];
   }
-  set(numbers, at = 0) {
-    for (let k = 0; k < 3; ++k) this.place[k] = numbers[at + k];
-    return super.set(numbers, at);
+  set(numbers2, at = 0) {
+    for (let k = 0; k < 3; ++k) this.place[k] = numbers2[at + k];
+    return super.set(numbers2, at);
   }
   /** t at which the ray through a point of the picture meets the plane through the place with a normal. */
   along(x, y, nx, ny, nz) {
@@ -1848,6 +2110,47 @@ function comparePanel(into, host, over) {
   into.replaceChildren(buttons, slider);
 }
 
+// source/exact_picture.ts
+var rest = 300;
+var ExactPicture = class {
+  /** `tell` gets a line for the user, `fail` an error. */
+  constructor(canvas, tell, fail) {
+    this.canvas = canvas;
+    this.tell = tell;
+    this.fail = fail;
+    this.running = new AbortController();
+    this.timer = 0;
+  }
+  /** Something has changed: takes the picture off, and ends work on it. */
+  outdate() {
+    if (!this.canvas.hidden) this.tell("");
+    this.canvas.hidden = true;
+    this.running.abort();
+    clearTimeout(this.timer);
+  }
+  /** Requests the picture after a while, unless something changes until then. */
+  follow(pictured) {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => void this.fetch(pictured), rest);
+  }
+  /** The bytes of the picture, PNG. */
+  async file({ camera, planes, hidden }, signal) {
+    return (await ask("POST", "/still", requestText(camera, planes, hiddenText(hidden)), signal)).blob();
+  }
+  async fetch(pictured) {
+    const own = this.running = new AbortController(), { canvas } = this;
+    try {
+      const image = await createImageBitmap(await this.file(pictured, own.signal));
+      if (own.signal.aborted) return;
+      Object.assign(canvas, { width: image.width, height: image.height, hidden: false });
+      canvas.getContext("2d").drawImage(image, 0, 0);
+      this.tell("exact picture");
+    } catch (error) {
+      if (!own.signal.aborted) this.fail(error);
+    }
+  }
+};
+
 // source/profile_plot.ts
 function plotted(profile, mending) {
   if (mending === "position") return ["gap", profile.gap, (s) => s.gap];
@@ -1928,16 +2231,24 @@ function list(host, faults, start2) {
   return element("ol", faults.map((fault) => entry(host, fault)), { start: start2 });
 }
 function faultsPanel(into, host) {
-  const fetchAll = async () => {
+  const found = element("div");
+  const fetchAll = async (reply) => {
     try {
-      const { items, hidden } = await (await ask("GET", "/inspect")).json();
-      into.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
-      if (hidden.length > 0) into.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+      host.tell("inspecting");
+      const { items, hidden } = await (await reply).json();
+      found.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
+      if (hidden.length > 0) found.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+      host.tell(`${items.length + hidden.length} faults, in the order of mending`);
     } catch (error) {
       host.fail(error);
     }
   };
-  into.replaceChildren(button("inspect", () => void fetchAll()));
+  const withLines = button(
+    "with lines of these lamps",
+    () => void fetchAll(ask("POST", "/inspect", requestText(host.camera(), host.display().planes)))
+  );
+  withLines.title = "judges the lamps' reflection lines in this view, too";
+  into.replaceChildren(button("inspect", () => void fetchAll(ask("GET", "/inspect"))), withLines, found);
 }
 
 // source/row_moves.ts
@@ -1959,10 +2270,10 @@ function dragged(plane, camera, x, y) {
   return moved(plane, sum(scaled(along, dot(way, along)), scaled(across, dot(way, across))));
 }
 function afterMove(plane, move, amount) {
-  const axes = rowAxes(plane), angle = amount * Math.PI / 180;
-  if (move === "turn") return turnedRow(plane, axes.normal, angle);
-  if (move === "tilt") return turnedRow(plane, axes.along, angle);
-  return moved(plane, scaled(axes[move], amount));
+  const axes2 = rowAxes(plane), angle = amount * Math.PI / 180;
+  if (move === "turn") return turnedRow(plane, axes2.normal, angle);
+  if (move === "tilt") return turnedRow(plane, axes2.along, angle);
+  return moved(plane, scaled(axes2[move], amount));
 }
 function withRoom(plane) {
   const needed = (plane.lamps - 1) * plane.pitch + plane.diameter, more = needed - length(plane.v);
@@ -1987,8 +2298,8 @@ function shape(tag, attributes, title = "") {
 }
 var Gizmo = class {
   /** `act` gets moves in mm or degrees, and true at the end of a drag. */
-  constructor(parent, act) {
-    this.act = act;
+  constructor(parent, act2) {
+    this.act = act2;
     this.grabbed = null;
     this.root = shape("svg", { id: "gizmo", width: size, height: size, viewBox: `${-size / 2} ${-size / 2} ${size} ${size}` });
     parent.append(this.root);
@@ -1998,7 +2309,7 @@ var Gizmo = class {
     if (this.grabbed) return;
     this.root.replaceChildren();
     if (!plane) return;
-    const { right: right2, up } = axesOf(camera), axes = rowAxes(plane), pixel = 1 / mmOfPixel(camera);
+    const { right: right2, up } = axesOf(camera), axes2 = rowAxes(plane), pixel = 1 / mmOfPixel(camera);
     const least = 0.26;
     const project2 = (axis) => {
       const x = dot(axis, right2), y = -dot(axis, up), length2 = Math.hypot(x, y);
@@ -2006,7 +2317,7 @@ var Gizmo = class {
     };
     this.handle(shape("circle", { r: reach + 14, fill: "none", stroke: "#c0a030", "stroke-width": 5 }, "turn the row about its normal"), "turn", [-1.5, 0]);
     for (const { move, color, title } of handles) {
-      const [x, y] = project2(axes[move]);
+      const [x, y] = project2(axes2[move]);
       this.handle(shape("line", { x2: reach * x, y2: reach * y, stroke: color, "stroke-width": 6, "stroke-linecap": "round" }, title), move, [x * pixel, y * pixel]);
       this.handle(shape("circle", { cx: reach * x, cy: reach * y, r: 7, fill: color }, title), move, [x * pixel, y * pixel]);
     }
@@ -2039,59 +2350,12 @@ var Gizmo = class {
 
 // source/help.ts
 function showDialog(title, lines2) {
-  const rows = lines2.map(([name, words]) => element("tr", [element("th", name), element("td", words)]));
+  const rows = lines2.map(([name, words2]) => element("tr", [element("th", name), element("td", words2)]));
   const close = element("button", "close", { type: "button", onclick: () => dialog.close() });
   const dialog = element("dialog", [element("h2", title), element("table", rows), close]);
   dialog.onclose = () => dialog.remove();
   document.body.append(dialog);
   dialog.showModal();
-}
-
-// source/link.ts
-var text = (v) => v.map((x) => String(Number(x.toPrecision(9)))).join(",");
-function vectorOf(given) {
-  const numbers = (given ?? "").split(",").map(Number);
-  return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers : null;
-}
-var rowText = (p) => `${text([...p.origin, ...p.u, ...p.v, p.lamps, p.pitch, p.diameter, ...p.luminance])},${p.caps},${p.mirror}`;
-function rowOf(given) {
-  const parts = given.split(","), n = parts.slice(0, 15).map(Number), [caps, mirror] = parts.slice(15);
-  const isRow = parts.length === 17 && n.every(Number.isFinite) && n[9] >= 0 && n[10] > 0 && n[11] > 0 && ["dark", "luminous"].includes(caps) && ["tube", "flat", "exact"].includes(mirror);
-  if (!isRow) return null;
-  const vector2 = (at) => [n[at], n[at + 1], n[at + 2]];
-  return {
-    origin: vector2(0),
-    u: vector2(3),
-    v: vector2(6),
-    lamps: Math.round(n[9]),
-    pitch: n[10],
-    diameter: n[11],
-    luminance: vector2(12),
-    caps,
-    mirror
-  };
-}
-function keepInAddress(state) {
-  history.replaceState(null, "", `#${fragmentOf(state)}`);
-}
-function fragmentOf({ camera, look, planes }) {
-  const fragment = new URLSearchParams({ eye: text(camera.eye), target: text(camera.target), up: text(camera.up), look });
-  for (const plane of planes ?? []) fragment.append("row", rowText(plane));
-  if (planes?.length === 0) fragment.append("rows", "none");
-  return fragment;
-}
-function stateOfAddress() {
-  const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
-  const [eye, target, up] = ["eye", "target", "up"].map((name) => vectorOf(given.get(name)));
-  const look = looks.find((name) => name === given.get("look"));
-  if (!eye || !target || !up || !look || rows.some((row2) => row2 === null)) return null;
-  const isOwn = rows.length > 0 || given.get("rows") === "none";
-  return { camera: { eye, target, up }, look, planes: isOwn ? rows : null };
-}
-function linkOf(state) {
-  const fragment = fragmentOf(state);
-  fragment.set("token", token);
-  return `${location.origin}${location.pathname}#${fragment}`;
 }
 
 // source/mouse.ts
@@ -2126,50 +2390,313 @@ var mouseHelp = {
   Blender: "middle turns, with Shift pans, with Ctrl zooms"
 };
 
-// source/section.ts
-var longestTooth = 0.06;
-var Overlay = class {
-  constructor(host, picture) {
+// source/pointer.ts
+var rest2 = 300;
+var threshold = 3;
+function act(host, action, x, y) {
+  const camera = host.camera();
+  if (action === "lamps") host.dragRow(x, y);
+  if (action === "pan") host.setCamera(panned(camera, x, y));
+  if (action === "zoom") host.setCamera(dollied(camera, Math.exp(y / 200)));
+  if (action === "orbit") host.setCamera(orbited(camera, camera.target, -x / 200, -y / 200));
+}
+var Pointer = class {
+  constructor(canvas, host) {
+    this.canvas = canvas;
     this.host = host;
-    this.picture = picture;
-    this.curves = [];
-    this.drawn = null;
-    this.canvas = element("canvas", "", { id: "section-lines" });
-    picture.after(this.canvas);
+    this.drag = null;
+    this.timer = 0;
+    canvas.onpointerdown = (event) => {
+      canvas.setPointerCapture(event.pointerId);
+      this.drag = { x: event.clientX, y: event.clientY, action: mouseAction(host.style(), event), moved: false };
+    };
+    canvas.onpointermove = (event) => this.move(event);
+    canvas.onpointerup = (event) => this.release(event);
+    canvas.oncontextmenu = (event) => event.preventDefault();
+    canvas.onwheel = (event) => this.wheel(event);
   }
-  show(curves) {
-    const isFirst = this.curves.length === 0;
-    this.curves = curves;
-    this.drawn = null;
-    if (isFirst && curves.length > 0) this.follow();
+  move(event) {
+    const { drag, host } = this;
+    if (!drag) return;
+    const x = event.clientX - drag.x, y = event.clientY - drag.y;
+    if (!drag.moved && Math.hypot(x, y) < threshold) return;
+    if (drag.action !== "lamps") drag.action = mouseAction(host.style(), event);
+    if (drag.action === "none") return;
+    Object.assign(drag, { x: event.clientX, y: event.clientY, moved: true });
+    const scale = host.camera().height / this.canvas.clientHeight;
+    act(host, drag.action, x * scale, y * scale);
+    host.changed(drag.action !== "lamps", false);
   }
-  /** Draws anew whenever the eye has moved, as long as there are curves. */
-  follow() {
-    const camera = this.host.camera(), { width, height } = this.picture.style;
-    Object.assign(this.canvas.style, { width, height });
-    if (camera !== this.drawn) this.draw(camera);
-    if (this.curves.length > 0) requestAnimationFrame(() => this.follow());
+  release(event) {
+    const { drag } = this;
+    this.drag = null;
+    if (drag?.moved) return this.host.changed(drag.action !== "lamps", true);
+    if (event.button !== 0) return;
+    const { width, height } = this.canvas, box = this.canvas.getBoundingClientRect();
+    this.host.pick(Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height));
   }
-  draw(camera) {
-    this.drawn = camera;
-    Object.assign(this.canvas, { width: camera.width, height: camera.height });
-    const context = this.canvas.getContext("2d"), projection = new Projection(camera);
-    const place = (at) => projection.set(at) ? [projection.x, projection.y] : null;
-    const { upper, lower } = this.host.facts.bounds;
-    const bent = Math.max(...this.curves.map((curve) => Math.abs(curve.largest_curvature.value)), 1e-12);
-    const tooth = longestTooth * length(difference(upper, lower)) / bent;
-    for (const { pieces } of this.curves)
-      for (const { samples } of pieces) {
-        const foot = samples.map((s) => place(s.place));
-        const tip = samples.map((s) => place(sum(s.place, scaled(s.towards, -s.curvature * tooth))));
-        context.strokeStyle = "#3ad0ff88";
-        foot.forEach((from, i) => stroke(context, [from, tip[i]]));
-        stroke(context, tip);
-        context.strokeStyle = "#ffd23a";
-        stroke(context, foot);
-      }
+  wheel(event) {
+    const { host } = this;
+    event.preventDefault();
+    clearTimeout(this.timer);
+    host.setCamera(dollied(host.camera(), Math.exp(event.deltaY / 1e3)));
+    host.changed(true, false);
+    this.timer = window.setTimeout(() => host.changed(true, true), rest2);
   }
 };
+
+// source/keys.ts
+var lookKeys = {
+  l: "lamps",
+  z: "zebra",
+  i: "isophotes",
+  h: "highlight lines",
+  c: "curvature",
+  d: "draft",
+  f: "faces"
+};
+var arrowStep = 10;
+var arrows = {
+  ArrowLeft: [-arrowStep, 0],
+  ArrowRight: [arrowStep, 0],
+  ArrowUp: [0, -arrowStep],
+  ArrowDown: [0, arrowStep]
+};
+function keysOf(host) {
+  const step2 = 50, angle = 2;
+  return [
+    ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => host.chooseLook(look) })),
+    ...host.views().map(({ name, show }, i) => ({ key: String(i), words: `view: ${name}`, act: show })),
+    { key: "n", words: "the next row of lamps", act: () => host.nextRow() },
+    { key: "+", words: "row 50 mm along its normal", act: () => host.moveRow("normal", step2) },
+    { key: "-", words: "row 50 mm back", act: () => host.moveRow("normal", -step2) },
+    { key: "[", words: "turn the row by 2 degrees", act: () => host.moveRow("turn", angle) },
+    { key: "]", words: "turn the row back", act: () => host.moveRow("turn", -angle) },
+    { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
+    { key: "?", words: "this list", act: () => showKeys(host) }
+  ];
+}
+function showKeys(host) {
+  showDialog("Keys and mouse", [
+    ["mouse", `${mouseHelp[host.style()]}; wheel zooms`],
+    ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
+    ["click", "place, normal and radii"],
+    ["arrows", "turn; with Shift pan; with Ctrl move the row"],
+    ...keysOf(host).map(({ key, words: words2 }) => [key, words2])
+  ]);
+}
+function listenToKeys(canvas, host) {
+  const keys = new Map(keysOf(host).map((key) => [key.key, key.act]));
+  canvas.onkeydown = (event) => {
+    const way = arrows[event.key], does = keys.get(event.key);
+    if (!way && !does || event.altKey) return;
+    if (does && (event.ctrlKey || event.metaKey)) return;
+    event.preventDefault();
+    if (does) return does();
+    act(host, event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
+    host.changed(!event.ctrlKey, true);
+  };
+}
+
+// source/lamps_panel.ts
+function showLamps(host) {
+  showRows(host.planes(), host.row(), (row2) => host.chooseRow(row2), (row2, plane) => host.change(row2, withRoom(plane)));
+}
+function lampButtons(host) {
+  const run = async (work) => {
+    try {
+      await work();
+      host.tell("");
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  const request = () => requestText(host.camera(), host.planes());
+  const place = async () => host.setRig((await (await ask("POST", "/place", request())).json()).rig);
+  const save = async () => download("rig.toml", await (await ask("POST", "/rig", request())).blob());
+  const open = async () => host.setRig(await newRig(await pickedText(".toml")));
+  byId("lamp-buttons").replaceChildren(
+    button("place for this view", () => void run(place)),
+    button("save", () => void run(save)),
+    button("open", () => void run(open))
+  );
+}
+
+// source/link.ts
+var text = (v) => v.map((x) => String(Number(x.toPrecision(9)))).join(",");
+function numbersOf(given) {
+  const numbers2 = given ? given.split(",").map(Number) : [];
+  return numbers2.every(Number.isFinite) ? numbers2 : null;
+}
+function vectorOf(given) {
+  const numbers2 = numbersOf(given);
+  return numbers2?.length === 3 ? numbers2 : null;
+}
+var eyeTexts = (eye) => ({
+  eye: text(eye.eye),
+  target: text(eye.target),
+  up: text(eye.up),
+  lens: eye.projection === "orthographic" ? `height,${eye.orthographic_height}` : `fov,${eye.vertical_fov}`
+});
+function eyeOf(given) {
+  const [eye, target, up] = ["eye", "target", "up"].map((name) => vectorOf(given.get(name)));
+  const [lens, size2] = (given.get("lens") ?? "").split(","), wide2 = Number(size2), isParallel = lens === "height";
+  if (!eye || !target || !up || !["height", "fov"].includes(lens) || !(wide2 > 0 && (isParallel || wide2 < 180))) return null;
+  return {
+    projection: isParallel ? "orthographic" : "perspective",
+    eye,
+    target,
+    up,
+    vertical_fov: isParallel ? 28 : wide2,
+    orthographic_height: isParallel ? wide2 : 0
+  };
+}
+var rowText = (p) => `${text([...p.origin, ...p.u, ...p.v, p.lamps, p.pitch, p.diameter, ...p.luminance])},${p.caps},${p.mirror}`;
+function rowOf(given) {
+  const parts = given.split(","), n = parts.slice(0, 15).map(Number), [caps, mirror] = parts.slice(15);
+  const isRow = parts.length === 17 && n.every(Number.isFinite) && n[9] >= 0 && n[10] > 0 && n[11] > 0 && ["dark", "luminous"].includes(caps) && ["tube", "flat", "exact"].includes(mirror);
+  if (!isRow) return null;
+  const vector2 = (at) => [n[at], n[at + 1], n[at + 2]];
+  return {
+    origin: vector2(0),
+    u: vector2(3),
+    v: vector2(6),
+    lamps: Math.round(n[9]),
+    pitch: n[10],
+    diameter: n[11],
+    luminance: vector2(12),
+    caps,
+    mirror
+  };
+}
+var noteText = ({ place, face, text: words2 }) => `${text([...place, face])},${words2}`;
+function noteOf(given) {
+  const parts = given.split(","), n = parts.slice(0, 4).map(Number), words2 = parts.slice(4).join(",");
+  return n.every(Number.isFinite) && words2 ? { place: [n[0], n[1], n[2]], face: n[3], text: words2 } : null;
+}
+function keepInAddress(state) {
+  history.replaceState(null, "", `#${fragmentOf(state)}`);
+}
+function fragmentOf({ camera, look, planes, hidden, section, notes }) {
+  const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
+  for (const plane of planes ?? []) fragment.append("row", rowText(plane));
+  if (planes?.length === 0) fragment.append("rows", "none");
+  if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
+  if (section) fragment.append("section", section);
+  for (const note of notes) fragment.append("note", noteText(note));
+  return fragment;
+}
+function stateOfAddress() {
+  const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
+  const camera = eyeOf(given), look = lookOf(given.get("look") ?? ""), hidden = numbersOf(given.get("hidden"));
+  const notes = given.getAll("note").map(noteOf);
+  if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
+  const isOwn = rows.length > 0 || given.get("rows") === "none";
+  return {
+    camera,
+    look,
+    planes: isOwn ? rows : null,
+    hidden,
+    section: given.get("section") ?? "",
+    notes
+  };
+}
+function linkOf(state) {
+  const fragment = fragmentOf(state);
+  fragment.set("token", token);
+  return `${location.origin}${location.pathname}#${fragment}`;
+}
+
+// source/pick_panel.ts
+var numbers = (v, digits) => v.map((n) => n.toFixed(digits)).join(", ");
+function noteField(place, face, add) {
+  const input = element("input", "", { ariaLabel: "note", placeholder: "a note on this place", maxLength: 300 });
+  const keep = () => {
+    if (input.value.trim()) add({ text: input.value.trim(), place, face });
+    input.value = "";
+  };
+  input.onkeydown = (event) => {
+    if (event.key === "Enter") keep();
+  };
+  return element("p", [input, button("note", keep)]);
+}
+function showPlace(picture, facts2, x, y, add) {
+  const at = picture.pick(x, y);
+  byId("note").replaceChildren();
+  if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
+  const { origin, direction: direction2 } = rayOf(picture.surfaces.camera, x + 0.5, y + 0.5), place = sum(origin, scaled(direction2, at.t));
+  const face = at.face > 0 ? facts2.faces[at.face - 1] : null;
+  showPairs(byId("pick"), [
+    ["face", face ? `${face.id} ${face.name}` : "ground"],
+    ["place", `${numbers(place, 2)} mm`],
+    ["normal", numbers(at.normal, 4)],
+    ["radii", at.radii.map((r) => Math.abs(r) < 1e6 ? `${r.toPrecision(4)} mm` : "flat").join(", ")]
+  ]);
+  if (face) byId("note").replaceChildren(noteField(place, face.id, add));
+}
+
+// source/saving.ts
+function savePicture(picture, facts2, display, { width, height }) {
+  download("picture.png", picture);
+  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}`;
+  const command = `keiko render ${facts2.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
+  showDialog("Picture", [
+    ["file", "picture.png, in your downloads"],
+    ["made by", display.look === "faces" ? "this page alone" : command],
+    ["", "save view and save write the view and the rig"]
+  ]);
+}
+async function copyLink(state, tell) {
+  try {
+    await navigator.clipboard.writeText(linkOf(state));
+    tell("the link is copied; it opens this view as long as the server goes on");
+  } catch {
+    showDialog("Link", [["address", linkOf(state)]]);
+  }
+}
+
+// source/seams.ts
+var order = ["fail", "undecided", "pass"];
+function list2(host, seams) {
+  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
+  return element("table", sorted.map((seam) => element("tr", [
+    element("td", seam.verdict, { className: seam.verdict }),
+    element("td", seam.kind),
+    element("td", [button(seam.faces, () => host.flyTo(seam.middle))])
+  ])));
+}
+function seamsPanel(into, host) {
+  const judge = async () => {
+    try {
+      host.tell("judging the seams");
+      const { seams } = await (await ask("GET", "/seams")).json();
+      into.replaceChildren(seams.length > 0 ? list2(host, seams) : element("p", "no seams"));
+      host.tell(`${seams.length} stretches of seams, the worst first`);
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  into.replaceChildren(button("judge", () => void judge()));
+}
+
+// source/section.ts
+var longestTooth = 0.06;
+function drawCombs(context, camera, curves, size2) {
+  const projection = new Projection(camera);
+  const place = (at) => projection.set(at) ? [projection.x, projection.y] : null;
+  const bent = Math.max(...curves.map((curve) => Math.abs(curve.largest_curvature.value)), 1e-12);
+  const tooth = longestTooth * size2 / bent;
+  for (const { pieces } of curves)
+    for (const { samples } of pieces) {
+      const foot = samples.map((s) => place(s.place));
+      const tip = samples.map((s) => place(sum(s.place, scaled(s.towards, -s.curvature * tooth))));
+      context.strokeStyle = "#3ad0ff88";
+      foot.forEach((from, i) => stroke(context, [from, tip[i]]));
+      stroke(context, tip);
+      context.strokeStyle = "#ffd23a";
+      stroke(context, foot);
+    }
+}
 function stroke(context, points) {
   context.beginPath();
   let isDown = false;
@@ -2186,48 +2713,94 @@ function summary(curves, plane) {
   const bent = Math.max(...curves.map((curve) => Math.abs(curve.largest_curvature.value)));
   return `${plane}: ${long.toFixed(1)} mm, radii from ${(1 / bent).toPrecision(4)} mm`;
 }
-function sectionPanel(into, host, picture) {
-  const overlay = new Overlay(host, picture), { lower, upper } = host.facts.bounds;
-  const axis = element("select", ["none", "x", "y", "z"].map((name) => element("option", name)), { ariaLabel: "axis" });
-  const slider = element("input", "", { type: "range", ariaLabel: "position", step: "any", disabled: true });
-  const text2 = element("p");
-  let running = new AbortController();
-  const cut = async () => {
-    running.abort();
-    const own = running = new AbortController(), plane = `${axis.value}=${Number(slider.value).toFixed(2)}`;
+var axes = ["x", "y", "z"];
+var SectionPanel = class {
+  constructor(into, host, picture) {
+    this.host = host;
+    this.choice = element("select", "", { ariaLabel: "axis" });
+    this.slider = element("input", "", { type: "range", ariaLabel: "position", step: "any", disabled: true });
+    this.text = element("p");
+    this.curves = [];
+    this.kept = [];
+    // planes of an analysis
+    this.running = new AbortController();
+    const { lower, upper } = host.facts.bounds, size2 = length(difference(upper, lower));
+    this.overlay = new EyeOverlay(
+      "section-lines",
+      picture,
+      () => host.camera(),
+      (context, camera) => drawCombs(context, camera, this.curves, size2)
+    );
+    this.choice.onchange = () => this.choose(this.choice.value);
+    this.slider.oninput = () => void this.cut();
+    into.replaceChildren(this.choice, this.slider, this.text);
+    this.offer([]);
+  }
+  /** The plane that is shown, "y=120", or "". */
+  get plane() {
+    const { value } = this.choice;
+    if (value === "none") return "";
+    return axes.includes(value) ? `${value}=${Number(this.slider.value).toFixed(2)}` : value;
+  }
+  /** The plane that is shown, and those of the analysis. */
+  get planes() {
+    return [.../* @__PURE__ */ new Set([this.plane, ...this.kept])].filter((plane) => plane !== "");
+  }
+  /** Offers the planes of an analysis, and shows the first. */
+  take(planes) {
+    this.offer(planes);
+    this.show(planes[0] ?? "");
+  }
+  /** Shows a plane; "": none. */
+  show(plane) {
+    const [axis, at] = plane.split("=");
+    if (plane && !axes.includes(axis) && !this.kept.includes(plane)) this.offer([...this.kept, plane]);
+    if (!axes.includes(axis)) return this.choose(plane || "none");
+    this.choose(axis, Number(at));
+  }
+  offer(kept) {
+    this.kept = kept;
+    this.choice.replaceChildren(...["none", ...axes, ...kept].map((name) => element("option", name)));
+  }
+  choose(name, position) {
+    const { lower, upper } = this.host.facts.bounds, at = axes.indexOf(name);
+    this.choice.value = name;
+    this.slider.disabled = at < 0;
+    if (at >= 0) {
+      Object.assign(this.slider, { min: String(lower[at]), max: String(upper[at]) });
+      this.slider.value = String(position ?? (lower[at] + upper[at]) / 2);
+    }
+    void this.cut();
+  }
+  draw(curves, summary2) {
+    this.curves = curves;
+    this.overlay.show(curves.length > 0);
+    this.text.textContent = summary2;
+    this.host.keep();
+  }
+  async cut() {
+    this.running.abort();
+    const own = this.running = new AbortController(), { plane } = this;
+    if (!plane) return this.draw([], "");
     try {
       const { curves } = await (await ask("POST", "/section", plane, own.signal)).json();
-      if (own.signal.aborted) return;
-      overlay.show(curves);
-      text2.textContent = summary(curves, plane);
+      if (!own.signal.aborted) this.draw(curves, summary(curves, plane));
     } catch (error) {
-      if (!own.signal.aborted) host.fail(error);
+      if (!own.signal.aborted) this.host.fail(error);
     }
-  };
-  axis.onchange = () => {
-    const at = ["x", "y", "z"].indexOf(axis.value);
-    slider.disabled = at < 0;
-    running.abort();
-    overlay.show([]);
-    text2.textContent = "";
-    if (at < 0) return;
-    Object.assign(slider, { min: String(lower[at]), max: String(upper[at]) });
-    slider.value = String((lower[at] + upper[at]) / 2);
-    void cut();
-  };
-  slider.oninput = () => void cut();
-  into.replaceChildren(axis, slider, text2);
-}
+  }
+};
 
 // source/tree.ts
 function row(name, faces, boxes, changed) {
+  const own = new Set(faces);
   const box = element("input", "", { type: "checkbox", checked: true, ariaLabel: `show ${name}` });
   box.onchange = () => {
     for (const face of faces) for (const each of boxes.get(face)) each.checked = box.checked;
     changed();
   };
   const alone = button(name, () => {
-    for (const [face, all] of boxes) for (const each of all) each.checked = faces.includes(face);
+    for (const [face, all] of boxes) for (const each of all) each.checked = own.has(face);
     changed();
   });
   alone.title = "show this alone";
@@ -2243,88 +2816,134 @@ function body(facts2, part, boxes, changed) {
     element("ul", leaves)
   ], { open: facts2.part_list.length === 1 });
 }
-function treePanel(into, host) {
-  const show = (facts2) => {
-    const boxes = /* @__PURE__ */ new Map();
-    const changed = () => host.hide([...boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
-    const all = () => {
-      for (const box of into.querySelectorAll("input")) box.checked = true;
-      changed();
-    };
-    const parts = facts2.part_list.map((_, part) => body(facts2, part, boxes, changed));
-    into.replaceChildren(button("show all", all), ...parts);
-  };
-  const fetchAll = async () => {
-    try {
-      show(await (await ask("GET", "/facts")).json());
-    } catch (error) {
-      host.fail(error);
+var Tree = class {
+  constructor(into, host) {
+    this.into = into;
+    this.host = host;
+    this.boxes = /* @__PURE__ */ new Map();
+    into.replaceChildren(button("list", () => void this.fetch()));
+  }
+  /** Takes over which faces are hidden. */
+  update() {
+    const hidden = new Set(this.host.hidden());
+    for (const [face, boxes] of this.boxes) for (const box of boxes) box.checked = !hidden.has(face);
+    for (const body2 of this.into.querySelectorAll("details")) {
+      const [all, ...faces] = body2.querySelectorAll("input");
+      all.checked = faces.some((box) => box.checked);
     }
-  };
-  into.replaceChildren(button("list", () => void fetchAll()));
-}
-
-// source/main.ts
-var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
-var lookKeys = {
-  l: "lamps",
-  z: "zebra",
-  i: "isophotes",
-  h: "highlight lines",
-  c: "curvature",
-  d: "draft",
-  f: "faces"
+  }
+  async fetch() {
+    try {
+      this.show(await (await ask("GET", "/facts")).json());
+    } catch (error) {
+      this.host.fail(error);
+    }
+  }
+  show(facts2) {
+    const hide = () => {
+      this.host.hide([...this.boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
+    };
+    const parts = facts2.part_list.map((_, part) => body(facts2, part, this.boxes, hide));
+    this.into.replaceChildren(button("show all", () => this.host.hide([])), ...parts);
+    this.update();
+  }
 };
-var rest = 300;
+
+// source/viewer.ts
+var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
 var slice2 = 12;
 var Viewer = class {
+  // of the changes: work for an earlier one is out of date
   constructor(facts2) {
     this.facts = facts2;
-    this.hidden = [];
-    this.look = "lamps";
-    this.row = 0;
+    this.left = [];
+    // faces that are not shown
+    this.stated = { look: "lamps", kind: "mean" };
+    this.chosenRow = 0;
     this.white = 0;
     this.fullCurvature = 1e-3;
-    this.style = "Keiko";
+    this.mouse = "Keiko";
     this.canvas = byId("picture");
-    this.still = byId("still");
-    this.exact = new AbortController();
-    this.timer = 0;
     this.frame = 0;
     this.spent = 0;
     // ms of work since the last frame
     this.turn = 0;
-    // of the changes: work for an earlier one is out of date
-    this.drag = null;
-    const linked = stateOfAddress();
-    this.camera = { ...facts2.camera, ...linked?.camera };
-    this.planes = linked?.planes ?? facts2.rig.planes;
-    this.look = linked?.look ?? "lamps";
-    this.style = mouseStyles.find((style) => style === localStorage.getItem("mouse")) ?? "Keiko";
+    this.eye = facts2.camera;
+    this.rows = facts2.rig.planes;
+    this.mouse = mouseStyles.find((style) => style === localStorage.getItem("mouse")) ?? "Keiko";
     this.picture = new Picture(this.canvas, facts2);
+    this.exact = new ExactPicture(byId("still"), (line) => this.tell(line), (error) => this.fail(error));
     this.tracing = new Tracing(facts2.reflections, (camera) => this.picture.bufferFor(camera), (buffer) => {
       this.picture.show(buffer);
       this.paint();
-    }, { hidden: () => this.hidden });
+    }, { hidden: () => this.left });
     this.gizmo = new Gizmo(this.canvas.parentElement, (move, amount, isOver) => this.moveRow(move, amount, isOver));
+    this.section = new SectionPanel(byId("section"), this, this.canvas);
+    this.tree = new Tree(byId("tree"), this);
+    this.analysis = new AnalysisPanel(byId("analysis"), this, this.canvas);
+  }
+  /** Shows what the address states, or else the analysis that the server was started with, or else its view. */
+  async start() {
+    const linked = stateOfAddress(), analysis = await fetchAnalysis();
+    if (linked) this.restore(linked);
+    else if (analysis) this.analysis.take(analysis);
     this.showPanel();
-    this.listen();
+    new Pointer(this.canvas, this);
+    listenToKeys(this.canvas, this);
     window.onresize = () => this.fit();
     this.fit();
-    void this.settle(true);
+    this.changed(true, true);
+  }
+  camera() {
+    return this.eye;
+  }
+  planes() {
+    return this.rows;
+  }
+  row() {
+    return this.chosenRow;
+  }
+  hidden() {
+    return this.left;
+  }
+  sections() {
+    return this.section.planes;
+  }
+  style() {
+    return this.mouse;
+  }
+  display() {
+    return { ...this.stated, planes: this.rows, white: this.white || 1, fullCurvature: this.fullCurvature };
+  }
+  restore({ camera, look, planes, hidden, section, notes }) {
+    this.eye = { ...this.facts.camera, ...camera };
+    this.rows = planes ?? this.rows;
+    this.stated = look;
+    this.left = hidden;
+    this.analysis.notes.show(notes);
+    if (section) this.section.show(section);
+  }
+  take({ views: [first], sections, hidden, rig }) {
+    this.rows = rig.planes;
+    this.left = hidden;
+    this.section.take(sections);
+    if (first) this.eye = { ...this.eye, ...first.camera, width: this.eye.width, height: this.eye.height };
+    this.choose(lookOf(first?.look ?? "lamps") ?? this.stated);
+    this.chooseRow(0);
+    this.hide(hidden);
   }
   /** Completes the picture after a change: surfaces, bent pixels, white, and after a while the exact picture. */
   async settle(isEye) {
     const own = ++this.turn, began = performance.now();
     try {
-      if (isEye && !await this.tracing.rest(this.camera)) return;
+      if (isEye && !await this.tracing.rest(this.eye)) return;
       const taken = performance.now() - began;
       if (!await this.refine(own)) return;
       this.measure();
       this.draw();
       if (isEye) this.tell(`surfaces in ${taken.toFixed(0)} ms`);
-      keepInAddress(this.state());
-      if (this.look === "lamps") this.timer = window.setTimeout(() => void this.fetchStill(), rest);
+      this.keep();
+      if (this.stated.look === "lamps") this.exact.follow(this.pictured());
     } catch (error) {
       this.fail(error);
     }
@@ -2341,15 +2960,25 @@ var Viewer = class {
   }
   /** White or the scale of curvature, by the picture as it is drawn. */
   measure() {
-    if (this.look === "curvature") this.fullCurvature = this.picture.usualCurvature();
-    if (this.look === "lamps") this.white = this.picture.whiteOf();
+    const { look, kind } = this.stated;
+    if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(kind);
+    if (look === "lamps") this.white = this.picture.whiteOf();
   }
-  display() {
-    const { look, planes, fullCurvature } = this;
-    return { look, planes, white: this.white || 1, fullCurvature };
+  pictured() {
+    return { camera: this.eye, planes: this.rows, hidden: this.left };
   }
   state() {
-    return { camera: this.camera, look: this.look, planes: this.planes === this.facts.rig.planes ? null : this.planes };
+    return {
+      camera: this.eye,
+      look: this.stated,
+      planes: this.rows === this.facts.rig.planes ? null : this.rows,
+      hidden: this.left,
+      section: this.section.plane,
+      notes: this.analysis.notes.all
+    };
+  }
+  keep() {
+    keepInAddress(this.state());
   }
   paint() {
     cancelAnimationFrame(this.frame);
@@ -2367,286 +2996,127 @@ var Viewer = class {
   }
   draw() {
     this.picture.draw(this.display());
-    this.gizmo.show(this.planes[this.row], this.camera);
+    this.gizmo.show(this.rows[this.chosenRow], this.eye);
   }
   /** Something has moved: the exact picture is out of date, and follows at rest. */
   changed(isEye, isOver) {
-    if (!this.still.hidden) this.tell("");
-    this.still.hidden = true;
-    this.exact.abort();
-    clearTimeout(this.timer);
+    this.exact.outdate();
     ++this.turn;
     const began = performance.now();
-    if (isEye && !isOver) this.tracing.move(this.camera).catch((error) => this.fail(error));
+    if (isEye && !isOver) this.tracing.move(this.eye).catch((error) => this.fail(error));
     else this.paint();
     this.spent += performance.now() - began;
     if (isOver) void this.settle(isEye);
   }
-  async fetchStill() {
-    const own = this.exact = new AbortController();
-    try {
-      const image = await createImageBitmap(await this.stillFile(own.signal));
-      if (own.signal.aborted) return;
-      Object.assign(this.still, { width: image.width, height: image.height, hidden: false });
-      this.still.getContext("2d").drawImage(image, 0, 0);
-      this.tell("exact picture");
-    } catch (error) {
-      if (!own.signal.aborted) this.fail(error);
-    }
-  }
-  async stillFile(signal) {
-    return (await ask("POST", "/still", requestText(this.camera, this.planes, hiddenText(this.hidden)), signal)).blob();
-  }
-  /** Shows picture and still as large as the window allows, in the shape of the camera's. */
+  /** Shows pictures as large as the window allows, in the shape of the camera's. */
   fit() {
-    const room = this.canvas.parentElement, { width, height } = this.camera;
+    const room = this.canvas.parentElement, { width, height } = this.eye;
     const scale = Math.min(room.clientWidth / width, room.clientHeight / height);
-    for (const shown2 of [this.canvas, this.still])
+    for (const shown2 of [this.canvas, this.exact.canvas])
       Object.assign(shown2.style, { width: `${width * scale}px`, height: `${height * scale}px` });
   }
-  listen() {
-    this.canvas.onpointerdown = (event) => {
-      this.canvas.setPointerCapture(event.pointerId);
-      this.drag = { x: event.clientX, y: event.clientY, action: mouseAction(this.style, event), moved: false };
-    };
-    this.canvas.onpointermove = (event) => this.move(event);
-    this.canvas.onpointerup = (event) => {
-      const { drag } = this;
-      this.drag = null;
-      if (drag?.moved) this.changed(drag.action !== "lamps", true);
-      else if (event.button === 0) this.pick(event);
-    };
-    this.canvas.oncontextmenu = (event) => event.preventDefault();
-    this.canvas.onwheel = (event) => {
-      event.preventDefault();
-      this.camera = dollied(this.camera, Math.exp(event.deltaY / 1e3));
-      this.changed(true, false);
-      this.timer = window.setTimeout(() => this.changed(true, true), rest);
-    };
-    const keys = new Map(this.keys().map((key) => [key.key, key.act]));
-    this.canvas.onkeydown = (event) => this.key(event, keys);
+  setCamera(camera) {
+    this.eye = camera;
   }
-  move(event) {
-    const { drag } = this;
-    if (!drag) return;
-    const x = event.clientX - drag.x, y = event.clientY - drag.y, threshold = 3;
-    if (!drag.moved && Math.hypot(x, y) < threshold) return;
-    if (drag.action !== "lamps") drag.action = mouseAction(this.style, event);
-    if (drag.action === "none") return;
-    Object.assign(drag, { x: event.clientX, y: event.clientY, moved: true });
-    const scale = this.camera.height / this.canvas.clientHeight;
-    this.act(drag.action, x * scale, y * scale);
-    this.changed(drag.action !== "lamps", false);
+  lookFrom(camera) {
+    this.eye = sized(camera, this.eye.width, this.eye.height);
+    this.changed(true, true);
   }
-  /** Does what a drag by pixels of the picture means. */
-  act(action, x, y) {
-    if (action === "lamps") this.edit(this.row, (plane) => dragged(plane, this.camera, x, y));
-    if (action === "pan") this.camera = panned(this.camera, x, y);
-    if (action === "zoom") this.camera = dollied(this.camera, Math.exp(y / 200));
-    if (action === "orbit") this.camera = orbited(this.camera, this.camera.target, -x / 200, -y / 200);
+  flyTo(place) {
+    const near = length(difference(this.facts.bounds.upper, this.facts.bounds.lower)) / 2;
+    this.lookFrom(lookingAt(this.eye, place, near));
+  }
+  pick(x, y) {
+    showPlace(this.picture, this.facts, x, y, (note) => this.analysis.addNote(note));
+  }
+  hide(faces) {
+    this.left = faces;
+    this.tree.update();
+    this.changed(true, true);
   }
   edit(row2, change2) {
-    this.planes = this.planes.map((plane, i) => i === row2 ? change2(plane) : plane);
+    this.rows = this.rows.map((plane, i) => i === row2 ? change2(plane) : plane);
   }
-  moveRow(move, amount, isOver) {
-    this.edit(this.row, (plane) => afterMove(plane, move, amount));
+  dragRow(x, y) {
+    this.edit(this.chosenRow, (plane) => dragged(plane, this.eye, x, y));
+  }
+  moveRow(move, amount, isOver = true) {
+    this.edit(this.chosenRow, (plane) => afterMove(plane, move, amount));
     this.changed(false, isOver);
   }
-  keys() {
-    const views = this.views(), step2 = 50, angle = 2;
-    return [
-      ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => this.choose(look) })),
-      ...views.map(({ name, camera }, i) => ({ key: String(i), words: `view: ${name}`, act: () => this.lookFrom(camera) })),
-      { key: "n", words: "the next row of lamps", act: () => this.chooseRow((this.row + 1) % Math.max(this.planes.length, 1)) },
-      { key: "+", words: "row 50 mm along its normal", act: () => this.moveRow("normal", step2, true) },
-      { key: "-", words: "row 50 mm back", act: () => this.moveRow("normal", -step2, true) },
-      { key: "[", words: "turn the row by 2 degrees", act: () => this.moveRow("turn", angle, true) },
-      { key: "]", words: "turn the row back", act: () => this.moveRow("turn", -angle, true) },
-      { key: "p", words: "the picture as a file, with its command line", act: () => void this.savePicture() },
-      { key: "?", words: "this list", act: () => this.help() }
-    ];
-  }
-  key(event, keys) {
-    const step2 = 10, arrows = {
-      ArrowLeft: [-step2, 0],
-      ArrowRight: [step2, 0],
-      ArrowUp: [0, -step2],
-      ArrowDown: [0, step2]
-    };
-    const way = arrows[event.key], act = keys.get(event.key);
-    if (!way && !act || event.altKey) return;
-    if (act && (event.ctrlKey || event.metaKey)) return;
-    event.preventDefault();
-    if (act) return act();
-    this.act(event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
-    this.changed(!event.ctrlKey, true);
-  }
-  help() {
-    const words = this.keys().map(({ key, words: words2 }) => [key, words2]);
-    showDialog("Keys and mouse", [
-      ["mouse", `${mouseHelp[this.style]}; wheel zooms`],
-      ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
-      ["click", "place, normal and radii"],
-      ["arrows", "turn; with Shift pan; with Ctrl move the row"],
-      ...words
-    ]);
-  }
-  pick(event) {
-    const box = this.canvas.getBoundingClientRect();
-    const x = Math.floor((event.clientX - box.left) / box.width * this.canvas.width);
-    const y = Math.floor((event.clientY - box.top) / box.height * this.canvas.height);
-    const at = this.picture.pick(x, y), seen = this.picture.surfaces?.camera ?? this.camera;
-    if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
-    const { origin, direction: direction2 } = rayOf(seen, x + 0.5, y + 0.5), place = sum(origin, scaled(direction2, at.t));
-    const face = at.face > 0 ? this.facts.faces[at.face - 1] : null;
-    const numbers = (v, digits) => v.map((n) => n.toFixed(digits)).join(", ");
-    showPairs(byId("pick"), [
-      ["face", face ? `${face.id} ${face.name}` : "ground"],
-      ["place", `${numbers(place, 2)} mm`],
-      ["normal", numbers(at.normal, 4)],
-      ["radii", at.radii.map((r) => Math.abs(r) < 1e6 ? `${r.toPrecision(4)} mm` : "flat").join(", ")]
-    ]);
-  }
-  choose(look) {
-    this.look = look;
-    choice(byId("looks"), looks, look, (name) => this.choose(name));
-    if (look === "curvature") this.measure();
+  change(row2, plane) {
+    this.edit(row2, () => plane);
     this.changed(false, true);
   }
+  nextRow() {
+    this.chooseRow((this.chosenRow + 1) % Math.max(this.rows.length, 1));
+  }
+  chooseRow(row2) {
+    this.chosenRow = row2;
+    showLamps(this);
+    this.gizmo.show(this.rows[row2], this.eye);
+  }
   setRig(rig) {
-    this.planes = rig.planes;
+    this.rows = rig.planes;
     this.chooseRow(0);
     this.changed(false, true);
   }
-  chooseRow(row2) {
-    this.row = row2;
-    this.showLamps();
-    this.gizmo.show(this.planes[row2], this.camera);
+  choose(stated) {
+    this.stated = stated;
+    this.showLooks();
+    if (stated.look === "curvature") this.measure();
+    this.changed(false, true);
   }
-  showLamps() {
-    showRows(this.planes, this.row, (row2) => this.chooseRow(row2), (row2, plane) => {
-      this.edit(row2, () => withRoom(plane));
-      this.changed(false, true);
-    });
+  chooseLook(look) {
+    this.choose({ ...this.stated, look });
   }
   views() {
-    return [
-      { name: "opened", camera: this.facts.camera },
-      ...this.facts.own_views,
-      ...this.facts.views.filter(({ name }) => shownViews.includes(name))
-    ];
+    const { facts: facts2 } = this, shown2 = facts2.views.filter(({ name }) => shownViews.includes(name));
+    return [{ name: "opened", camera: facts2.camera }, ...facts2.own_views, ...shown2].map(({ name, camera }) => ({ name, show: () => this.lookFrom(camera) }));
+  }
+  showLooks() {
+    const { look, kind } = this.stated;
+    choice(byId("look-buttons"), looks, look, (name) => this.chooseLook(name));
+    byId("curvature-kind").replaceChildren(...look === "curvature" ? [
+      selection("of", curvatureKinds, kind, (name) => this.choose({ look, kind: name }))
+    ] : []);
   }
   showPanel() {
-    choice(byId("looks"), looks, this.look, (name) => this.choose(name));
+    this.showLooks();
     byId("views").replaceChildren(
-      ...this.views().map(({ name, camera }) => button(name, () => this.lookFrom(camera))),
-      button("save view", () => download("view.toml", new Blob([viewText(this.camera)])))
+      ...this.views().map(({ name, show }) => button(name, show)),
+      button("save view", () => download("view.toml", new Blob([viewText(this.eye)])))
     );
-    this.showLamps();
-    byId("lamp-buttons").replaceChildren(
-      button("place for this view", () => void this.run("/place", async (reply) => this.setRig((await reply.json()).rig))),
-      button("save", () => void this.saveRig()),
-      button("open", () => this.open())
-    );
-    byId("seams").replaceChildren(button("judge", () => void this.judge()));
-    faultsPanel(byId("faults"), this.host());
-    comparePanel(byId("compare"), this.host(), this.canvas);
-    treePanel(byId("tree"), this.host());
-    sectionPanel(byId("section"), this.host(), this.canvas);
+    showLamps(this);
+    lampButtons(this);
+    seamsPanel(byId("seams"), this);
+    faultsPanel(byId("faults"), this);
+    comparePanel(byId("compare"), this, this.canvas);
     byId("page").replaceChildren(
       button("picture", () => void this.savePicture()),
-      button("copy link", () => void this.copyLink()),
-      button("keys", () => this.help()),
-      selection("mouse", mouseStyles, this.style, (style) => this.setStyle(style)),
+      button("copy link", () => void copyLink(this.state(), (line) => this.tell(line))),
+      button("keys", () => showKeys(this)),
+      selection("mouse", mouseStyles, this.mouse, (style) => this.setStyle(style)),
       selection("colours", ["light dark", "light", "dark"], localStorage.getItem("colours") ?? "light dark", showInColours)
     );
     showFacts(this.facts);
   }
-  host() {
-    return {
-      facts: this.facts,
-      camera: () => this.camera,
-      display: () => this.display(),
-      lookFrom: (camera) => this.lookFrom(camera),
-      fail: (error) => this.fail(error),
-      hide: (faces) => {
-        this.hidden = faces;
-        this.changed(true, true);
-      }
-    };
-  }
   setStyle(style) {
-    this.style = style;
+    this.mouse = style;
     localStorage.setItem("mouse", style);
     this.tell(mouseHelp[style]);
   }
-  lookFrom(camera) {
-    this.camera = sized(camera, this.camera.width, this.camera.height);
-    this.changed(true, true);
-  }
-  /** Asks for work on the view and the lamps that are shown. */
-  async run(path, use) {
+  /** The exact picture, or that of another look, as a file. */
+  async savePicture() {
+    const isLamps = this.stated.look === "lamps";
     try {
-      await use(await ask("POST", path, requestText(this.camera, this.planes)));
+      this.tell("making the picture");
+      const picture = isLamps ? await this.exact.file(this.pictured()) : await new Promise((use) => this.canvas.toBlob((blob) => use(blob)));
+      savePicture(picture, this.facts, this.display(), this.eye);
       this.tell("");
     } catch (error) {
       this.fail(error);
     }
-  }
-  async saveRig() {
-    await this.run("/rig", async (reply) => download("rig.toml", await reply.blob()));
-  }
-  /** Hands out the exact picture, or that of another look, and tells which command makes it. */
-  async savePicture() {
-    const { width, height } = this.camera, isLamps = this.look === "lamps";
-    try {
-      this.tell("making the picture");
-      download("picture.png", isLamps ? await this.stillFile() : await new Promise((use) => this.canvas.toBlob((blob) => use(blob))));
-    } catch (error) {
-      return this.fail(error);
-    }
-    const names = { isophotes: "isophote", "highlight lines": "highlight", curvature: `curvature:mean=${this.fullCurvature}` };
-    const look = isLamps ? "" : ` --look ${names[this.look] ?? this.look}`;
-    const command = `keiko render ${this.facts.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
-    showDialog("Picture", [
-      ["file", "picture.png, in your downloads"],
-      ["made by", this.look === "faces" ? "this page alone" : command],
-      ["", "save view and save write the view and the rig"]
-    ]);
-    this.tell("");
-  }
-  async copyLink() {
-    try {
-      await navigator.clipboard.writeText(linkOf(this.state()));
-      this.tell("the link is copied; it opens this view as long as the server goes on");
-    } catch {
-      showDialog("Link", [["address", linkOf(this.state())]]);
-    }
-  }
-  open() {
-    const input = Object.assign(document.createElement("input"), { type: "file", accept: ".toml" });
-    input.onchange = async () => {
-      try {
-        if (input.files?.[0]) this.setRig(await newRig(await input.files[0].text()));
-      } catch (error) {
-        this.fail(error);
-      }
-    };
-    input.click();
-  }
-  async judge() {
-    try {
-      this.tell("judging the seams");
-      const { seams } = await (await ask("GET", "/seams")).json();
-      showSeams(seams, (seam) => this.fly(seam.middle));
-      this.tell(`${seams.length} stretches of seams, the worst first`);
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-  fly(place) {
-    const near = length(difference(this.facts.bounds.upper, this.facts.bounds.lower)) / 2;
-    this.lookFrom(lookingAt(this.camera, place, near));
   }
   tell(line) {
     byId("state").textContent = line;
@@ -2655,23 +3125,12 @@ var Viewer = class {
     this.tell(error instanceof Error ? error.message : String(error));
   }
 };
-function showInColours(scheme) {
-  localStorage.setItem("colours", scheme);
-  document.documentElement.style.colorScheme = scheme;
-}
-var progressTimer = 0;
-function showProgress(stage, fraction) {
-  const shown2 = byId("work"), clear = () => {
-    shown2.textContent = "";
-  };
-  clearTimeout(progressTimer);
-  shown2.textContent = fraction < 1 ? `${stage} ${Math.round(100 * fraction)} %` : "";
-  progressTimer = window.setTimeout(clear, 1e3);
-}
+
+// source/main.ts
 async function start() {
   try {
     showInColours(localStorage.getItem("colours") ?? "light dark");
-    new Viewer(await facts());
+    await new Viewer(await facts()).start();
     await followProgress(showProgress);
   } catch (error) {
     byId("state").textContent = error instanceof Error ? error.message : String(error);

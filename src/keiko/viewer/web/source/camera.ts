@@ -28,6 +28,19 @@ export function pixelSize(camera: Camera): number {
   return height / camera.height;
 }
 
+/** A camera, and what its rays and projections have in common. */
+export class CameraFrame {
+  protected readonly axes: Axes;
+  protected readonly size: number; // of a pixel, see pixelSize
+  protected readonly isParallel: boolean;
+
+  constructor(protected readonly camera: Camera) {
+    this.axes = axesOf(camera);
+    this.size = pixelSize(camera);
+    this.isParallel = camera.projection === "orthographic";
+  }
+}
+
 /** The ray through a point of the picture, px. */
 export function rayOf(camera: Camera, x: number, y: number): { origin: Vector; direction: Vector } {
   const { right, up, forward } = axesOf(camera);

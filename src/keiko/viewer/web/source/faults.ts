@@ -2,7 +2,7 @@ import { Camera, lookingAt } from "./camera";
 import { Host } from "./host";
 import { button, element } from "./panel";
 import { Profile, profilePlot } from "./profile_plot";
-import { ask } from "./server";
+import { ask, requestText } from "./server";
 import { difference, length, Vector } from "./vector";
 
 /** A fault of keiko-faults/1, as far as the page shows it. */
@@ -59,16 +59,22 @@ function list(host: Host, faults: Fault[], start: number): HTMLElement {
   return element("ol", faults.map((fault) => entry(host, fault)), { start });
 }
 
-/** A button that fetches the faults in the order of mending; a click on one flies there. */
+/** Buttons that fetch the faults in the order of mending, of the body alone or under the lamps too; a click on one flies there. */
 export function faultsPanel(into: HTMLElement, host: Host): void {
-  const fetchAll = async (): Promise<void> => {
+  const found = element("div");
+  const fetchAll = async (reply: Promise<Response>): Promise<void> => {
     try {
-      const { items, hidden }: Faults = await (await ask("GET", "/inspect")).json();
-      into.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
-      if (hidden.length > 0) into.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+      host.tell("inspecting");
+      const { items, hidden }: Faults = await (await reply).json();
+      found.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
+      if (hidden.length > 0) found.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+      host.tell(`${items.length + hidden.length} faults, in the order of mending`);
     } catch (error) {
       host.fail(error);
     }
   };
-  into.replaceChildren(button("inspect", () => void fetchAll()));
+  const withLines = button("with lines of these lamps",
+    () => void fetchAll(ask("POST", "/inspect", requestText(host.camera(), host.display().planes))));
+  withLines.title = "judges the lamps' reflection lines in this view, too";
+  into.replaceChildren(button("inspect", () => void fetchAll(ask("GET", "/inspect"))), withLines, found);
 }

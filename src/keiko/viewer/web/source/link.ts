@@ -1,21 +1,48 @@
+import { Note } from "./analysis";
 import { Camera } from "./camera";
 import { Plane } from "./facts";
-import { Look, looks } from "./picture";
+import { lookOf, StatedLook, wordOf } from "./look_words";
 import { token } from "./server";
 import { Vector } from "./vector";
 
+/** The eye that a link restores: a camera without the size of its picture. */
+export type Eye = Omit<Camera, "width" | "height">;
+
 /** What a link restores. */
 export interface ViewState {
-  camera: Pick<Camera, "eye" | "target" | "up">;
-  look: Look;
+  camera: Eye;
+  look: StatedLook;
   planes: Plane[] | null; // null: those of the rig
+  hidden: number[];       // faces that are not shown
+  section: string;        // "y=120", or "" for none
+  notes: Note[];
 }
 
 const text = (v: readonly number[]): string => v.map((x) => String(Number(x.toPrecision(9)))).join(",");
 
+function numbersOf(given: string | null): number[] | null {
+  const numbers = given ? given.split(",").map(Number) : [];
+  return numbers.every(Number.isFinite) ? numbers : null;
+}
+
 function vectorOf(given: string | null): Vector | null {
-  const numbers = (given ?? "").split(",").map(Number);
-  return numbers.length === 3 && numbers.every(Number.isFinite) ? numbers as Vector : null;
+  const numbers = numbersOf(given);
+  return numbers?.length === 3 ? numbers as Vector : null;
+}
+
+const eyeTexts = (eye: Eye): Record<string, string> => ({
+  eye: text(eye.eye), target: text(eye.target), up: text(eye.up),
+  lens: eye.projection === "orthographic" ? `height,${eye.orthographic_height}` : `fov,${eye.vertical_fov}`,
+});
+
+function eyeOf(given: URLSearchParams): Eye | null {
+  const [eye, target, up] = ["eye", "target", "up"].map((name) => vectorOf(given.get(name)));
+  const [lens, size] = (given.get("lens") ?? "").split(","), wide = Number(size), isParallel = lens === "height";
+  if (!eye || !target || !up || !["height", "fov"].includes(lens) || !(wide > 0 && (isParallel || wide < 180))) return null;
+  return {
+    projection: isParallel ? "orthographic" : "perspective", eye, target, up,
+    vertical_fov: isParallel ? 28 : wide, orthographic_height: isParallel ? wide : 0,
+  };
 }
 
 /** A row as numbers: origin, u, v, lamps, pitch, diameter, luminance; and its two words. */
@@ -33,26 +60,39 @@ function rowOf(given: string): Plane | null {
   };
 }
 
+/** A note as place, face and text. */
+const noteText = ({ place, face, text: words }: Note): string => `${text([...place, face])},${words}`;
+
+function noteOf(given: string): Note | null {
+  const parts = given.split(","), n = parts.slice(0, 4).map(Number), words = parts.slice(4).join(",");
+  return n.every(Number.isFinite) && words ? { place: [n[0], n[1], n[2]], face: n[3], text: words } : null;
+}
+
 /** Writes a state into the page's address; the token is not in it. */
 export function keepInAddress(state: ViewState): void {
   history.replaceState(null, "", `#${fragmentOf(state)}`);
 }
 
-function fragmentOf({ camera, look, planes }: ViewState): URLSearchParams {
-  const fragment = new URLSearchParams({ eye: text(camera.eye), target: text(camera.target), up: text(camera.up), look });
+function fragmentOf({ camera, look, planes, hidden, section, notes }: ViewState): URLSearchParams {
+  const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
   for (const plane of planes ?? []) fragment.append("row", rowText(plane));
   if (planes?.length === 0) fragment.append("rows", "none");
+  if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
+  if (section) fragment.append("section", section);
+  for (const note of notes) fragment.append("note", noteText(note));
   return fragment;
 }
 
 /** The state that the page's address has; null without one, or with one that makes no sense. */
 export function stateOfAddress(): ViewState | null {
   const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
-  const [eye, target, up] = ["eye", "target", "up"].map((name) => vectorOf(given.get(name)));
-  const look = looks.find((name) => name === given.get("look"));
-  if (!eye || !target || !up || !look || rows.some((row) => row === null)) return null;
+  const camera = eyeOf(given), look = lookOf(given.get("look") ?? ""), hidden = numbersOf(given.get("hidden"));
+  const notes = given.getAll("note").map(noteOf);
+  if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
   const isOwn = rows.length > 0 || given.get("rows") === "none";
-  return { camera: { eye, target, up }, look, planes: isOwn ? rows as Plane[] : null };
+  return {
+    camera, look, planes: isOwn ? rows as Plane[] : null, hidden, section: given.get("section") ?? "", notes: notes as Note[],
+  };
 }
 
 /** The address that opens a state in another tab, with the token of this server. */

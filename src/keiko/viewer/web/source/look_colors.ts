@@ -1,5 +1,7 @@
 import { Plane } from "./facts";
+import { CurvatureKind } from "./look_words";
 import { RowFrame } from "./row_frame";
+import { Surface } from "./surface";
 import { SurfaceBuffer } from "./surface_buffer";
 import { difference, dot, scaled, sum, unit, Vector } from "./vector";
 import { axesOf } from "./camera";
@@ -10,7 +12,8 @@ export type SurfaceLook = typeof surfaceLooks[number];
 
 /** Scales of the looks. */
 export interface LookScale {
-  fullCurvature: number; // 1/mm at which colours are full
+  kind: CurvatureKind;   // that the look of curvature shows
+  fullCurvature: number; // at which its colours are full
   planes: Plane[];       // whose highlight lines are shown
 }
 
@@ -36,7 +39,7 @@ function colorOf(look: SurfaceLook, buffer: SurfaceBuffer, scale: LookScale): Co
     case "zebra": return bands(buffer, zebraPhase(buffer));
     case "isophotes": return bands(buffer, (path) => 2 * angleToVertical(normalOf(buffer, path)) / 5);
     case "highlight lines": return bands(buffer, highlightPhase(buffer, scale.planes.map((plane) => new RowFrame(plane))));
-    case "curvature": return (path) => curvatureColor(buffer.surfaceOf(path).mean / scale.fullCurvature);
+    case "curvature": return curvatureColor(buffer, scale);
     case "draft": return draftColor(buffer);
     case "faces": return (path) => faceColor(faceOf(buffer, path));
   }
@@ -116,10 +119,38 @@ const mixed = (a: Rgb, b: Rgb, share: number): Rgb => {
 
 const signedStops: Rgb[] = [[0.02, 0.12, 0.55], [0.25, 0.55, 0.9], [0.87, 0.87, 0.87], [0.95, 0.5, 0.25], [0.6, 0.02, 0.05]];
 
-function curvatureColor(share: number): Rgb {
-  if (Number.isNaN(share)) return unknown;
+/** A curvature as the eye sees it, positive in hollows: 1/mm, a Gaussian one 1/mm2; NaN where it is not known. */
+export function curvatureOf(kind: CurvatureKind, surface: Surface): number {
+  const [larger, smaller] = surface.principal;
+  switch (kind) {
+    case "mean": return surface.mean;
+    case "gauss": return larger * smaller;
+    case "k1": return larger;
+    case "k2": return smaller;
+    case "absolute": return Math.abs(larger) + Math.abs(smaller);
+  }
+}
+
+/** Colours between two signs; of what has none those of a rainbow. */
+function curvatureColor(buffer: SurfaceBuffer, { kind, fullCurvature }: LookScale): Color {
+  const colorAt = kind === "absolute" ? rainbow : signedColor;
+  return (path) => {
+    const surface = buffer.surfaceOf(path);
+    if (surface.face < 0 && kind === "absolute") return ground;
+    const share = curvatureOf(kind, surface) / fullCurvature;
+    return Number.isNaN(share) ? unknown : colorAt(share);
+  };
+}
+
+function signedColor(share: number): Rgb {
   const at = 2 * (Math.min(Math.max(share, -1), 1) + 1), first = Math.min(3, Math.floor(at));
   return mixed(signedStops[first], signedStops[first + 1], at - first);
+}
+
+/** From blue by green to red; film/false_color. */
+function rainbow(share: number): Rgb {
+  const x = 4 * Math.min(Math.max(share, 0), 1), inside = (value: number): number => Math.min(Math.max(value, 0), 1);
+  return [inside(x - 2), inside(Math.min(x, 4 - x)), inside(2 - x)];
 }
 
 /** Draft along z: blue from 3 degrees, yellow below, red undercut. */

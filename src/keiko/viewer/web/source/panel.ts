@@ -1,4 +1,4 @@
-import { Facts, Plane, Seam } from "./facts";
+import { Facts, Plane } from "./facts";
 
 /** An element with text or children. */
 export function element(tag: string, content: string | Node[] = "", properties: object = {}): HTMLElement {
@@ -18,6 +18,15 @@ export function download(name: string, bytes: Blob): void {
   const href = URL.createObjectURL(bytes);
   element("a", "", { href, download: name }).click();
   URL.revokeObjectURL(href);
+}
+
+/** The text of a file that the user picks, whose name ends as stated. */
+export function pickedText(ending: string): Promise<string> {
+  const input = element("input", "", { type: "file", accept: ending }) as HTMLInputElement;
+  return new Promise((use) => {
+    input.onchange = () => { if (input.files?.[0]) use(input.files[0].text()); };
+    input.click();
+  });
 }
 
 /** Buttons of which one is pressed. */
@@ -75,15 +84,4 @@ export function showRows(planes: Plane[], selected: number, select: (row: number
   ]));
   const head = element("tr", ["row", "lamps", "pitch mm", "Ø mm"].map((name) => element("th", name)));
   byId("rows").replaceChildren(element("table", [head, ...lines]));
-}
-
-/** The seams, the worst first; a click flies there. */
-export function showSeams(seams: Seam[], fly: (seam: Seam) => void): void {
-  const order = ["fail", "undecided", "pass"];
-  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
-  const lines = sorted.map((seam) => element("tr", [
-    element("td", seam.verdict, { className: seam.verdict }), element("td", seam.kind),
-    element("td", [button(seam.faces, () => fly(seam))]),
-  ]));
-  byId("seams").replaceChildren(seams.length > 0 ? element("table", lines) : element("p", "no seams"));
 }

@@ -2,7 +2,8 @@ import { Camera } from "./camera";
 import { Facts, Plane } from "./facts";
 import { Mirrors } from "./fresnel";
 import { LampLight } from "./lamp_light";
-import { lookColors, SurfaceLook, surfaceLooks } from "./look_colors";
+import { curvatureOf, lookColors, SurfaceLook, surfaceLooks } from "./look_colors";
+import { CurvatureKind } from "./look_words";
 import { SurfaceBuffer } from "./surface_buffer";
 import { Vector } from "./vector";
 
@@ -12,9 +13,10 @@ export type Look = "lamps" | SurfaceLook;
 /** How a picture is shown. */
 export interface Display {
   look: Look;
+  kind: CurvatureKind;   // that the look of curvature shows
   planes: Plane[];
   white: number;         // cd/m2 that is shown as white
-  fullCurvature: number; // 1/mm at which colours are full
+  fullCurvature: number; // 1/mm, of a Gaussian one 1/mm2, at which colours are full
 }
 
 /** A surface at a pixel's centre. */
@@ -92,15 +94,15 @@ export class Picture {
     return quantile(values, 0.99) || 1;
   }
 
-  /** The round curvature, 1/mm, that 2 % of the body's picture exceed. */
-  usualCurvature(): number {
+  /** The round curvature of a kind that 2 % of the body's picture exceed. */
+  usualCurvature(kind: CurvatureKind): number {
     const { buffer } = this, sizes: number[] = [];
     for (let path = 0; buffer && path < buffer.paths; ++path) {
       const surface = buffer.surfaceOf(path);
-      if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(surface.mean));
+      if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(curvatureOf(kind, surface)));
     }
     const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
-    return power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10);
+    return Number((power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
   }
 
   /** The surface at a pixel, if there is one. */

@@ -1,19 +1,10 @@
-import { axesOf, Camera, pixelSize } from "./camera";
+import { CameraFrame } from "./camera";
 
 /** Where places are in a camera's picture. */
-export class Projection {
+export class Projection extends CameraFrame {
   x = 0;     // px
   y = 0;     // px
   depth = 0; // mm from the eye, or from its plane
-  protected readonly axes;
-  protected readonly size: number;
-  protected readonly isParallel: boolean;
-
-  constructor(protected readonly camera: Camera) {
-    this.axes = axesOf(camera);
-    this.size = pixelSize(camera);
-    this.isParallel = camera.projection === "orthographic";
-  }
 
   /** Takes the place that three numbers state; false for one beside or behind an eye. */
   set(numbers: ArrayLike<number>, at = 0): boolean {

@@ -1,4 +1,4 @@
-import { axesOf, Camera, pixelSize } from "./camera";
+import { CameraFrame } from "./camera";
 import { Surface } from "./surface";
 
 // A ray and its change by a pixel to the right and down is 18 numbers: six vectors, from these places on.
@@ -7,17 +7,7 @@ const originX = 6, originY = 9, directionX = 12, directionY = 15;
 const direction = 3;
 
 /** The camera rays of a picture. */
-export class CameraRays {
-  private readonly axes;
-  private readonly size: number;
-  private readonly isParallel: boolean;
-
-  constructor(private readonly camera: Camera) {
-    this.axes = axesOf(camera);
-    this.size = pixelSize(camera);
-    this.isParallel = camera.projection === "orthographic";
-  }
-
+export class CameraRays extends CameraFrame {
   /** Sets a ray to that through a pixel's centre. */
   set(ray: Float64Array, x: number, y: number): void {
     const { right, up, forward } = this.axes, { eye, width, height } = this.camera, { size } = this;

@@ -40,7 +40,8 @@ function planeText(plane: Plane): string {
     `luminance = ${vector(plane.luminance)}`, `caps = "${plane.caps}"`, `mirror = "${plane.mirror}"`].join("\n");
 }
 
-function cameraText(camera: Camera): string {
+/** The lines of a camera's table but for its size. */
+export function cameraText(camera: Camera): string {
   const lens = camera.projection === "orthographic"
     ? `orthographic_height = ${camera.orthographic_height}` : `vertical_fov = ${camera.vertical_fov}`;
   return [`projection = "${camera.projection}"`, `eye = ${vector(camera.eye)}`, `target = ${vector(camera.target)}`,

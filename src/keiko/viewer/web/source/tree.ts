@@ -10,13 +10,14 @@ interface ModelFacts {
 
 /** A box that shows or hides faces; a click on its name shows them alone. */
 function row(name: string, faces: number[], boxes: Map<number, HTMLInputElement[]>, changed: () => void): HTMLElement {
+  const own = new Set(faces);
   const box = element("input", "", { type: "checkbox", checked: true, ariaLabel: `show ${name}` }) as HTMLInputElement;
   box.onchange = () => {
     for (const face of faces) for (const each of boxes.get(face)!) each.checked = box.checked;
     changed();
   };
   const alone = button(name, () => {
-    for (const [face, all] of boxes) for (const each of all) each.checked = faces.includes(face);
+    for (const [face, all] of boxes) for (const each of all) each.checked = own.has(face);
     changed();
   });
   alone.title = "show this alone";
@@ -35,23 +36,37 @@ function body(facts: ModelFacts, part: number, boxes: Map<number, HTMLInputEleme
 }
 
 /** A button that fetches the tree of bodies and faces; boxes hide, names isolate. */
-export function treePanel(into: HTMLElement, host: Host): void {
-  const show = (facts: ModelFacts): void => {
-    const boxes = new Map<number, HTMLInputElement[]>();
-    const changed = (): void => host.hide([...boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
-    const all = (): void => {
-      for (const box of into.querySelectorAll("input")) box.checked = true;
-      changed();
-    };
-    const parts = facts.part_list.map((_, part) => body(facts, part, boxes, changed));
-    into.replaceChildren(button("show all", all), ...parts);
-  };
-  const fetchAll = async (): Promise<void> => {
-    try {
-      show(await (await ask("GET", "/facts")).json());
-    } catch (error) {
-      host.fail(error);
+export class Tree {
+  private readonly boxes = new Map<number, HTMLInputElement[]>();
+
+  constructor(private readonly into: HTMLElement, private readonly host: Host) {
+    into.replaceChildren(button("list", () => void this.fetch()));
+  }
+
+  /** Takes over which faces are hidden. */
+  update(): void {
+    const hidden = new Set(this.host.hidden());
+    for (const [face, boxes] of this.boxes) for (const box of boxes) box.checked = !hidden.has(face);
+    for (const body of this.into.querySelectorAll("details")) {
+      const [all, ...faces] = body.querySelectorAll<HTMLInputElement>("input");
+      all.checked = faces.some((box) => box.checked);
     }
-  };
-  into.replaceChildren(button("list", () => void fetchAll()));
+  }
+
+  private async fetch(): Promise<void> {
+    try {
+      this.show(await (await ask("GET", "/facts")).json());
+    } catch (error) {
+      this.host.fail(error);
+    }
+  }
+
+  private show(facts: ModelFacts): void {
+    const hide = (): void => {
+      this.host.hide([...this.boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
+    };
+    const parts = facts.part_list.map((_, part) => body(facts, part, this.boxes, hide));
+    this.into.replaceChildren(button("show all", () => this.host.hide([])), ...parts);
+    this.update();
+  }
 }

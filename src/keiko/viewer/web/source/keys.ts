@@ -1,0 +1,61 @@
+import { Key, showDialog } from "./help";
+import { mouseHelp } from "./mouse";
+import { Look } from "./picture";
+import { act, PointerHost } from "./pointer";
+import { RowMove } from "./row_moves";
+
+/** What keys do to the page besides what the mouse does. */
+export interface KeyHost extends PointerHost {
+  views(): { name: string; show: () => void }[];
+  chooseLook(look: Look): void;
+  nextRow(): void;
+  /** Moves the chosen row by mm, or degrees. */
+  moveRow(move: RowMove, amount: number): void;
+  savePicture(): void;
+}
+
+const lookKeys: Record<string, Look> = {
+  l: "lamps", z: "zebra", i: "isophotes", h: "highlight lines", c: "curvature", d: "draft", f: "faces",
+};
+const arrowStep = 10; // px
+const arrows: Record<string, [number, number]> = {
+  ArrowLeft: [-arrowStep, 0], ArrowRight: [arrowStep, 0], ArrowUp: [0, -arrowStep], ArrowDown: [0, arrowStep],
+};
+
+function keysOf(host: KeyHost): Key[] {
+  const step = 50, angle = 2; // mm, degrees
+  return [
+    ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => host.chooseLook(look) })),
+    ...host.views().map(({ name, show }, i) => ({ key: String(i), words: `view: ${name}`, act: show })),
+    { key: "n", words: "the next row of lamps", act: () => host.nextRow() },
+    { key: "+", words: "row 50 mm along its normal", act: () => host.moveRow("normal", step) },
+    { key: "-", words: "row 50 mm back", act: () => host.moveRow("normal", -step) },
+    { key: "[", words: "turn the row by 2 degrees", act: () => host.moveRow("turn", angle) },
+    { key: "]", words: "turn the row back", act: () => host.moveRow("turn", -angle) },
+    { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
+    { key: "?", words: "this list", act: () => showKeys(host) },
+  ];
+}
+
+/** Opens the list of keys and of what the mouse does. */
+export function showKeys(host: KeyHost): void {
+  showDialog("Keys and mouse", [
+    ["mouse", `${mouseHelp[host.style()]}; wheel zooms`], ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
+    ["click", "place, normal and radii"], ["arrows", "turn; with Shift pan; with Ctrl move the row"],
+    ...keysOf(host).map(({ key, words }) => [key, words] as const),
+  ]);
+}
+
+/** Keys on the picture. */
+export function listenToKeys(canvas: HTMLCanvasElement, host: KeyHost): void {
+  const keys = new Map(keysOf(host).map((key) => [key.key, key.act]));
+  canvas.onkeydown = (event) => {
+    const way = arrows[event.key], does = keys.get(event.key);
+    if (!way && !does || event.altKey) return;
+    if (does && (event.ctrlKey || event.metaKey)) return;
+    event.preventDefault();
+    if (does) return does();
+    act(host, event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
+    host.changed(!event.ctrlKey, true);
+  };
+}
