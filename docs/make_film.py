@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Makes the film of the readme and the pictures of docs/viewer.md from the page of `keiko view`.
 
-usage: docs/make_film.py KEIKO [FILM.webp]
+usage: docs/make_film.py KEIKO [FILM.webp | --pictures]
 
 A row of lamps is dragged over the concept car, then the car is turned. Needs chromium, chromium-driver,
 python3-selenium and python3-pil.
@@ -100,11 +100,25 @@ def pictures(keiko: str):
             page.look(name)
             sheet.paste(page.canvas(), (number % 3 * 480, number // 3 * 270))
     sheet.save(IMAGES / "viewer-looks.png", optimize=True)
+    with Page(keiko, "hood-scene.toml", "960x540") as page:
+        analysis_picture(page)
+
+
+def analysis_picture(page: Page):
+    """A section, a note, a kept view, and the part of the panel that has them."""
+    page.picture.click()
+    page.driver.find_element(By.CSS_SELECTOR, "#note input").send_keys("sinks towards the lamp" + Keys.ENTER)
+    page.driver.find_element(By.XPATH, "//button[text()='keep this view']").click()
+    page.driver.find_element(By.CSS_SELECTOR, "#section select").send_keys("y")
+    time.sleep(3)
+    page.driver.execute_script("document.getElementById('section').parentElement.scrollIntoView()")
+    page.driver.save_screenshot(str(IMAGES / "viewer-analysis.png"))
 
 
 def main():
-    keiko = sys.argv[1]
-    film(keiko, Path(sys.argv[2]) if len(sys.argv) > 2 else IMAGES / "viewer.webp")
+    keiko, file = sys.argv[1], sys.argv[2] if len(sys.argv) > 2 else str(IMAGES / "viewer.webp")
+    if file != "--pictures":
+        film(keiko, Path(file))
     pictures(keiko)
 
 

@@ -221,6 +221,23 @@ class Pictures(Page):
         self.assertLess(mean, 0.01)
         self.assertEqual(beyond, 0)
 
+    def test_a_drag_takes_the_row_that_is_mirrored_there(self):
+        second = """[[c_plane]]
+origin = [-1000, -3000, -4000]
+u = [12000, 0, 0]
+v = [0, 6000, 0]
+lamps = 5
+diameter = 100
+"""
+        scene = SCENE % surface("hood.step")
+        begin = scene.index("[[c_plane]]")
+        self.write("rows.toml", scene[:begin] + second + scene[begin:])
+        self.open("rows.toml")
+        chosen = "return [...document.querySelectorAll('#rows input[type=radio]')].findIndex(box => box.checked)"
+        self.assertEqual(self.browser.execute_script(chosen), 0)
+        self.drag(60, -30, Keys.CONTROL)
+        self.assertEqual(self.browser.execute_script(chosen), 1)
+
     def test_a_moved_eye_sees_the_surfaces_in_hand(self):
         canvas = self.browser.find_element(By.ID, "picture")
         actions = ActionChains(self.browser).move_to_element(canvas).click_and_hold().move_by_offset(40, 8)
@@ -287,8 +304,6 @@ class Analyses(Page):
         self.browser.find_element(By.CSS_SELECTOR, "#note input").send_keys(text + Keys.ENTER)
 
     def hide_a_face(self, name: str):
-        self.press("list")
-        self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#tree li"))
         self.browser.execute_script("for (const body of document.querySelectorAll('#tree details')) body.open = true")
         self.browser.find_element(By.CSS_SELECTOR, f"#tree input[aria-label*='{name}']").click()
 
@@ -368,8 +383,19 @@ class Analyses(Page):
 
 
 class Panel(Page):
+    def marked(self, x: int, y: int) -> bool:
+        """Whether a pixel of the marks over the picture is drawn."""
+        return self.browser.execute_script(
+            "const c = document.getElementById('marks');"
+            f"return c.width > 0 && c.getContext('2d').getImageData({x}, {y}, 1, 1).data[3] > 0")
+
     def test_a_click_names_the_place(self):
         self.browser.find_element(By.ID, "picture").click()
+        self.wait_for(lambda: self.marked(240 - 5, 135))
+        self.assertTrue(self.browser.execute_script(
+            "return [...document.querySelectorAll('.overlay')].every(overlay => "
+            "document.getElementById('still').compareDocumentPosition(overlay) & Node.DOCUMENT_POSITION_FOLLOWING)"))
+        self.assertFalse(self.marked(240 - 40, 135))
         lines = self.text("pick").split("\n")
         self.assertIn("dome", lines[lines.index("face") + 1])
         x, y, z = map(float, lines[lines.index("place") + 1].removesuffix(" mm").split(","))
@@ -395,6 +421,8 @@ class Panel(Page):
         self.browser.find_element(By.CSS_SELECTOR, "#faults li button").click()
         self.wait_for_still()
         self.assertIn("angle up to", self.browser.find_element(By.CSS_SELECTOR, "#faults .plot text").text)
+        # The seam is drawn through the place, which lies in the middle of a picture of 960 x 540.
+        self.wait_for(lambda: self.marked(480, 270 - 5) or self.marked(480 - 5, 270))
         self.browser.find_element(By.ID, "picture").click()
         fault = json.loads(self.server.ask("GET", "/inspect")[2])["items"][0]
         lines = self.text("pick").split("\n")
@@ -409,8 +437,6 @@ class Panel(Page):
         def shows(condition):
             self.wait_for(lambda: condition(differences(self.pixels(self.canvas()), whole)[1]))
         self.browser.execute_script("arguments[0].scrollIntoView()", self.browser.find_element(By.ID, "tree"))
-        self.press("list")
-        self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#tree li"))
         self.browser.execute_script("for (const body of document.querySelectorAll('#tree details')) body.open = true")
         boxes = self.browser.find_elements(By.CSS_SELECTOR, "#tree li input")
         names = self.browser.find_elements(By.CSS_SELECTOR, "#tree li button")
@@ -442,6 +468,11 @@ class Panel(Page):
         axis.send_keys("n")
         self.wait_for(lambda: drawn() == 0)
         self.assertEqual(self.errors(), [])
+
+    def test_a_face_is_found_by_its_name(self):
+        self.browser.find_element(By.CSS_SELECTOR, "#tree input[type=search]").send_keys("WING")
+        shown = [leaf.text for leaf in self.browser.find_elements(By.CSS_SELECTOR, "#tree li") if leaf.is_displayed()]
+        self.assertEqual(shown, ["1 wing-left", "3 wing-right"])
 
     def test_lamps_are_placed_for_the_view(self):
         before = self.text("rows")

@@ -58,6 +58,25 @@ std::uint32_t number_of(const Material& material, std::vector<Material>& known) 
 
 } // namespace
 
+namespace {
+
+/// The faces of a scene by part; adds their materials to those that are listed.
+std::vector<ViewedFace> viewed_faces(const Scene& scene, std::vector<Material>& materials) {
+    std::vector<ViewedFace> faces;
+    for (std::size_t i = 0; i < scene.model.faces.size(); ++i) {
+        const Face& face = scene.model.faces[i];
+        faces.push_back({face.id, face.name, face.layer, number_of(scene.materials[i], materials)});
+    }
+    for (std::uint32_t number = 0; number < scene.model.parts.size(); ++number) {
+        const Part& part = scene.model.parts[number];
+        for (std::uint32_t i = 0; i < part.face_count; ++i)
+            faces[part.first_face + i].part = number;
+    }
+    return faces;
+}
+
+} // namespace
+
 ViewFacts view_facts(const Scene& scene, const NamedView& view) {
     const PictureOptions options = picture_options(scene);
     ViewFacts facts{.tool_version = version(),
@@ -67,6 +86,7 @@ ViewFacts view_facts(const Scene& scene, const NamedView& view) {
                     .bounds = scene.tracer.bounds(),
                     .background = scene.background,
                     .faces = {},
+                    .parts = {},
                     .materials = {},
                     .reflections = options.max_depth,
                     .min_weight = options.min_weight,
@@ -74,11 +94,8 @@ ViewFacts view_facts(const Scene& scene, const NamedView& view) {
                     .own_views = {},
                     .remarks = {}};
     for (const auto& input : scene.inputs) facts.inputs.push_back(input.filename().string());
-    for (std::size_t i = 0; i < scene.model.faces.size(); ++i) {
-        const Face& face = scene.model.faces[i];
-        facts.faces.push_back(
-            {face.id, face.name, face.layer, number_of(scene.materials[i], facts.materials)});
-    }
+    facts.faces = viewed_faces(scene, facts.materials);
+    for (const Part& part : scene.model.parts) facts.parts.push_back(part.name);
     facts.ground = scene.ground();
     if (scene.surroundings)
         facts.ground_material = number_of(scene.surroundings->materials.back(), facts.materials);

@@ -20,6 +20,7 @@ struct ViewedFace {
     std::uint32_t id = 0;       ///< as Face::id
     std::string name, layer;    ///< or empty
     std::uint32_t material = 0; ///< into ViewFacts::materials
+    std::uint32_t part = 0;     ///< into ViewFacts::parts
 };
 
 /// Facts of a scene that a viewer needs beside its deep buffers.
@@ -32,6 +33,7 @@ struct ViewFacts {
     std::optional<double> ground{};    ///< mm, its z
     Rgb background{0};                 ///< cd/m2 behind the body
     std::vector<ViewedFace> faces;     ///< of the body, in the order of the model
+    std::vector<std::string> parts;    ///< names of the bodies of the model, or empty
     std::vector<Material> materials;   ///< each once
     std::uint32_t ground_material = 0; ///< into `materials`; with a ground alone
     int reflections = 3;               ///< followed along one ray, in pictures

@@ -59,7 +59,8 @@ Json faces_json(const ViewFacts& facts) {
         faces.push_back({{"id", face.id},
                          {"name", face.name},
                          {"layer", face.layer},
-                         {"material", face.material}});
+                         {"material", face.material},
+                         {"part", face.part}});
     return faces;
 }
 
@@ -86,6 +87,7 @@ std::string view_json(const ViewFacts& facts, const LightRig& rig) {
               {"reflections", facts.reflections},
               {"min_weight", facts.min_weight},
               {"materials", std::move(materials)},
+              {"parts", facts.parts},
               {"faces", faces_json(facts)},
               {"views", views_json(facts.views)},
               {"own_views", views_json(facts.own_views)},

@@ -920,6 +920,14 @@ var RowFrame = class {
     this.hasLuminousCaps = plane.caps === "luminous";
     this.luminance = plane.luminance;
   }
+  /** The way of a ray to the rectangle between the plane's corners, mm; Infinity if it misses it. */
+  distanceTo(origin, direction2) {
+    const away = dot(this.normal, difference(this.origin, origin)) / dot(this.normal, direction2);
+    if (!(away > 0)) return Infinity;
+    const at = difference(sum(origin, scaled(direction2, away)), this.origin), along = dot(at, this.u), across = dot(at, this.v);
+    const room = this.diameter / 2;
+    return along >= 0 && along <= this.length && across >= this.first - room && across <= this.last + room ? away : Infinity;
+  }
   /** True if images of rays on the other's plane are those on this one but for an offset. */
   hasPlaneOf(other) {
     const rounding = 1e-12, height = dot(this.normal, difference(this.origin, other.origin));
@@ -1533,10 +1541,23 @@ var Picture = class {
     const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
     return Number((power * ([1, 2, 5].find((step2) => value <= step2 * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
   }
+  /** The path of a pixel, or of the nearest above that is there; -1 without one. */
+  pathAt(x, y) {
+    const { buffer } = this;
+    return buffer?.pathOf[Math.floor(y / buffer.rowStep) * buffer.rowStep * buffer.camera.width + x] ?? -1;
+  }
+  /** The nearest row of lamps whose plane the first reflection at a pixel meets; -1 without one. */
+  rowAt(x, y, planes) {
+    const path = this.pathAt(x, y), ray = this.buffer?.first.numbers, at = rayNumbers * path;
+    if (!ray || path < 0) return -1;
+    const origin = [ray[at], ray[at + 1], ray[at + 2]], direction2 = [ray[at + 3], ray[at + 4], ray[at + 5]];
+    const distances = planes.map((plane) => new RowFrame(plane).distanceTo(origin, direction2));
+    const nearest = Math.min(...distances);
+    return nearest < Infinity ? distances.indexOf(nearest) : -1;
+  }
   /** The surface at a pixel, if there is one. */
   pick(x, y) {
-    const { buffer } = this;
-    const path = buffer?.pathOf[Math.floor(y / buffer.rowStep) * buffer.rowStep * buffer.camera.width + x] ?? -1;
+    const { buffer } = this, path = this.pathAt(x, y);
     if (!buffer || path < 0) return null;
     const { t, normal, face, principal: [k1, k2] } = buffer.surfaceOf(path);
     return { t, normal: [...normal], radii: [1 / k1, 1 / k2], face };
@@ -1644,7 +1665,7 @@ var EyeOverlay = class {
     this.drawn = null;
     this.isFollowing = false;
     this.canvas = element("canvas", "", { id, className: "overlay" });
-    picture.after(this.canvas);
+    picture.parentElement.append(this.canvas);
   }
   /** Draws what has changed, and goes on with the eye as long as there is something. */
   show(isThere) {
@@ -2196,6 +2217,11 @@ function profilePlot(profile, mending) {
 }
 
 // source/faults.ts
+function stretchOf({ samples }) {
+  const pieces = /* @__PURE__ */ new Map();
+  for (const { piece, place } of samples) pieces.set(piece, [...pieces.get(piece) ?? [], place]);
+  return [...pieces.values()];
+}
 var shown = 0.16;
 function closeUp(host, fault) {
   const { upper, lower } = host.facts.bounds, height = shown * length(difference(upper, lower));
@@ -2218,17 +2244,28 @@ function entry(host, fault) {
   const into = element("div");
   const go = () => {
     host.lookFrom(closeUp(host, fault));
+    host.mark(fault.place, fault.profile ? stretchOf(fault.profile) : []);
+    for (const other of document.querySelectorAll("#faults button")) other.removeAttribute("aria-pressed");
+    named.setAttribute("aria-pressed", "true");
     if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
   };
+  const named = button(fault.faces, go);
   return element("li", [
-    button(fault.faces, go),
+    named,
     element("div", fault.message, { className: fault.verdict }),
     element("div", sightOf(fault), { className: "soft" }),
     into
   ]);
 }
+var atOnce = 20;
 function list(host, faults, start2) {
-  return element("ol", faults.map((fault) => entry(host, fault)), { start: start2 });
+  const shown2 = element("ol", faults.slice(0, atOnce).map((fault) => entry(host, fault)), { start: start2 }), left2 = faults.slice(atOnce);
+  if (left2.length === 0) return shown2;
+  const more = button(`${left2.length} more`, () => {
+    shown2.append(...left2.map((fault) => entry(host, fault)));
+    more.remove();
+  });
+  return element("div", [shown2, more]);
 }
 function faultsPanel(into, host) {
   const found = element("div");
@@ -2406,14 +2443,22 @@ var Pointer = class {
     this.host = host;
     this.drag = null;
     this.timer = 0;
-    canvas.onpointerdown = (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      this.drag = { x: event.clientX, y: event.clientY, action: mouseAction(host.style(), event), moved: false };
-    };
+    canvas.onpointerdown = (event) => this.press(event);
     canvas.onpointermove = (event) => this.move(event);
     canvas.onpointerup = (event) => this.release(event);
     canvas.oncontextmenu = (event) => event.preventDefault();
     canvas.onwheel = (event) => this.wheel(event);
+  }
+  /** The pixel of the picture under the mouse. */
+  pixel(event) {
+    const { width, height } = this.canvas, box = this.canvas.getBoundingClientRect();
+    return [Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height)];
+  }
+  press(event) {
+    const { canvas, host } = this, action = mouseAction(host.style(), event);
+    canvas.setPointerCapture(event.pointerId);
+    if (action === "lamps") host.grabRow(...this.pixel(event));
+    this.drag = { x: event.clientX, y: event.clientY, action, moved: false };
   }
   move(event) {
     const { drag, host } = this;
@@ -2431,9 +2476,7 @@ var Pointer = class {
     const { drag } = this;
     this.drag = null;
     if (drag?.moved) return this.host.changed(drag.action !== "lamps", true);
-    if (event.button !== 0) return;
-    const { width, height } = this.canvas, box = this.canvas.getBoundingClientRect();
-    this.host.pick(Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height));
+    if (event.button === 0) this.host.pick(...this.pixel(event));
   }
   wheel(event) {
     const { host } = this;
@@ -2496,6 +2539,51 @@ function listenToKeys(canvas, host) {
     act(host, event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
     host.changed(!event.ctrlKey, true);
   };
+}
+
+// source/polyline.ts
+function stroke(context, points) {
+  context.beginPath();
+  let isDown = false;
+  for (const point of points) {
+    if (point && isDown) context.lineTo(...point);
+    else if (point) context.moveTo(...point);
+    isDown = point !== null;
+  }
+  context.stroke();
+}
+
+// source/marks.ts
+var arm = 7;
+var gap = 2;
+var Marks = class {
+  constructor(picture, camera) {
+    this.place = null;
+    this.stretch = [];
+    this.overlay = new EyeOverlay("marks", picture, camera, (context, eye) => this.draw(context, new Projection(eye)));
+  }
+  /** Shows a place; null: none. */
+  show(place, stretch = []) {
+    this.place = place;
+    this.stretch = stretch;
+    this.overlay.show(place !== null);
+  }
+  draw(context, projection) {
+    const pixel = (at) => projection.set(at) ? [projection.x, projection.y] : null;
+    const lines2 = this.stretch.map((piece) => piece.map(pixel)), cross3 = this.place ? crossAt(pixel(this.place)) : [];
+    for (const [color, width] of [["#000", 4], ["#ff4fd8", 2]]) {
+      Object.assign(context, { strokeStyle: color, lineWidth: width });
+      for (const line of [...lines2, ...cross3]) stroke(context, line);
+    }
+  }
+};
+function crossAt(pixel) {
+  if (!pixel) return [];
+  const [x, y] = pixel;
+  return [[-arm, -gap], [gap, arm]].flatMap(([from, to]) => [
+    [[x + from, y], [x + to, y]],
+    [[x, y + from], [x, y + to]]
+  ]);
 }
 
 // source/lamps_panel.ts
@@ -2620,19 +2708,29 @@ function noteField(place, face, add) {
   };
   return element("p", [input, button("note", keep)]);
 }
+function radiusText(radius) {
+  const size2 = Math.abs(radius), flat = 1e6;
+  if (!(size2 < flat)) return "flat";
+  const digits = Math.max(0, 3 - Math.floor(Math.log10(size2)));
+  return `${size2.toFixed(digits)} mm ${radius > 0 ? "hollow" : "crowned"}`;
+}
 function showPlace(picture, facts2, x, y, add) {
   const at = picture.pick(x, y);
   byId("note").replaceChildren();
-  if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
+  if (!at) {
+    showPairs(byId("pick"), [["nothing", ""]]);
+    return null;
+  }
   const { origin, direction: direction2 } = rayOf(picture.surfaces.camera, x + 0.5, y + 0.5), place = sum(origin, scaled(direction2, at.t));
   const face = at.face > 0 ? facts2.faces[at.face - 1] : null;
   showPairs(byId("pick"), [
     ["face", face ? `${face.id} ${face.name}` : "ground"],
     ["place", `${numbers(place, 2)} mm`],
     ["normal", numbers(at.normal, 4)],
-    ["radii", at.radii.map((r) => Math.abs(r) < 1e6 ? `${r.toPrecision(4)} mm` : "flat").join(", ")]
+    ["radii", at.radii.map(radiusText).join(", ")]
   ]);
   if (face) byId("note").replaceChildren(noteField(place, face.id, add));
+  return place;
 }
 
 // source/saving.ts
@@ -2657,13 +2755,24 @@ async function copyLink(state, tell) {
 
 // source/seams.ts
 var order = ["fail", "undecided", "pass"];
-function list2(host, seams) {
-  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
-  return element("table", sorted.map((seam) => element("tr", [
+function entry2(host, seam) {
+  return element("tr", [
     element("td", seam.verdict, { className: seam.verdict }),
     element("td", seam.kind),
     element("td", [button(seam.faces, () => host.flyTo(seam.middle))])
-  ])));
+  ]);
+}
+var atOnce2 = 20;
+function list2(host, seams) {
+  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
+  const faulty = sorted.filter((seam) => seam.verdict !== "pass").length, first = Math.max(faulty, atOnce2);
+  const shown2 = element("table", sorted.slice(0, first).map((seam) => entry2(host, seam))), left2 = sorted.slice(first);
+  if (left2.length === 0) return shown2;
+  const more = button(`${left2.length} more, which pass`, () => {
+    shown2.append(...left2.map((seam) => entry2(host, seam)));
+    more.remove();
+  });
+  return element("div", [shown2, more]);
 }
 function seamsPanel(into, host) {
   const judge = async () => {
@@ -2696,16 +2805,6 @@ function drawCombs(context, camera, curves, size2) {
       context.strokeStyle = "#ffd23a";
       stroke(context, foot);
     }
-}
-function stroke(context, points) {
-  context.beginPath();
-  let isDown = false;
-  for (const point of points) {
-    if (point && isDown) context.lineTo(...point);
-    else if (point) context.moveTo(...point);
-    isDown = point !== null;
-  }
-  context.stroke();
 }
 function summary(curves, plane) {
   if (curves.length === 0) return `${plane} misses the body`;
@@ -2807,21 +2906,30 @@ function row(name, faces, boxes, changed) {
   if (faces.length === 1) boxes.set(faces[0], [...boxes.get(faces[0]) ?? [], box]);
   return element("span", [box, alone]);
 }
-function body(facts2, part, boxes, changed) {
-  const faces = facts2.face_list.filter((face) => face.part === part);
-  const leaves = faces.map((face) => element("li", [row(`${face.id} ${face.name}`, [face.id], boxes, changed)]));
-  const name = facts2.part_list[part].name || `body ${part + 1}`;
+var openFaces = 50;
+function body({ parts, faces }, part, boxes, changed) {
+  const own = faces.filter((face) => face.part === part), name = parts[part] || `body ${part + 1}`;
+  const leaves = own.map((face) => element("li", [row(`${face.id} ${face.name}`.trim(), [face.id], boxes, changed)]));
   return element("details", [
-    element("summary", [row(`${name} (${faces.length})`, faces.map((face) => face.id), boxes, changed)]),
+    element("summary", [row(`${name} (${own.length})`, own.map((face) => face.id), boxes, changed)]),
     element("ul", leaves)
-  ], { open: facts2.part_list.length === 1 });
+  ], { open: parts.length === 1 && own.length <= openFaces });
 }
 var Tree = class {
   constructor(into, host) {
     this.into = into;
     this.host = host;
     this.boxes = /* @__PURE__ */ new Map();
-    into.replaceChildren(button("list", () => void this.fetch()));
+    const hide = () => {
+      host.hide([...this.boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
+    };
+    const find = element("input", "", { type: "search", placeholder: "find a face", ariaLabel: "find a face" });
+    find.oninput = () => this.find(find.value.trim().toLowerCase());
+    into.replaceChildren(
+      button("show all", () => host.hide([])),
+      find,
+      ...host.facts.parts.map((_, part) => body(host.facts, part, this.boxes, hide))
+    );
   }
   /** Takes over which faces are hidden. */
   update() {
@@ -2832,20 +2940,13 @@ var Tree = class {
       all.checked = faces.some((box) => box.checked);
     }
   }
-  async fetch() {
-    try {
-      this.show(await (await ask("GET", "/facts")).json());
-    } catch (error) {
-      this.host.fail(error);
+  /** Lists the faces that have a text in their number or name; all for an empty one. */
+  find(text2) {
+    for (const body2 of this.into.querySelectorAll("details")) {
+      const leaves = [...body2.querySelectorAll("li")];
+      for (const leaf of leaves) leaf.hidden = !leaf.textContent.toLowerCase().includes(text2);
+      if (text2) body2.open = leaves.some((leaf) => !leaf.hidden);
     }
-  }
-  show(facts2) {
-    const hide = () => {
-      this.host.hide([...this.boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
-    };
-    const parts = facts2.part_list.map((_, part) => body(facts2, part, this.boxes, hide));
-    this.into.replaceChildren(button("show all", () => this.host.hide([])), ...parts);
-    this.update();
   }
 };
 
@@ -2880,6 +2981,7 @@ var Viewer = class {
     this.gizmo = new Gizmo(this.canvas.parentElement, (move, amount, isOver) => this.moveRow(move, amount, isOver));
     this.section = new SectionPanel(byId("section"), this, this.canvas);
     this.tree = new Tree(byId("tree"), this);
+    this.marks = new Marks(this.canvas, () => this.eye);
     this.analysis = new AnalysisPanel(byId("analysis"), this, this.canvas);
   }
   /** Shows what the address states, or else the analysis that the server was started with, or else its view. */
@@ -3025,9 +3127,14 @@ var Viewer = class {
   flyTo(place) {
     const near = length(difference(this.facts.bounds.upper, this.facts.bounds.lower)) / 2;
     this.lookFrom(lookingAt(this.eye, place, near));
+    this.mark(place);
   }
   pick(x, y) {
-    showPlace(this.picture, this.facts, x, y, (note) => this.analysis.addNote(note));
+    const place = showPlace(this.picture, this.facts, x, y, (note) => this.analysis.addNote(note));
+    this.marks.show(place);
+  }
+  mark(place, stretch = []) {
+    this.marks.show(place, stretch);
   }
   hide(faces) {
     this.left = faces;
@@ -3036,6 +3143,10 @@ var Viewer = class {
   }
   edit(row2, change2) {
     this.rows = this.rows.map((plane, i) => i === row2 ? change2(plane) : plane);
+  }
+  grabRow(x, y) {
+    const row2 = this.picture.rowAt(x, y, this.rows);
+    if (row2 >= 0 && row2 !== this.chosenRow) this.chooseRow(row2);
   }
   dragRow(x, y) {
     this.edit(this.chosenRow, (plane) => dragged(plane, this.eye, x, y));

@@ -1,7 +1,7 @@
 import { Camera } from "./camera";
 import { element } from "./panel";
 
-/** A canvas over the picture, which is drawn anew for whichever eye is shown. */
+/** A canvas over all pictures, which is drawn anew for whichever eye is shown. */
 export class EyeOverlay {
   private drawn: Camera | null = null;
   private isFollowing = false;
@@ -11,7 +11,7 @@ export class EyeOverlay {
   constructor(id: string, private readonly picture: HTMLElement, private readonly camera: () => Camera,
     private readonly draw: (context: CanvasRenderingContext2D, camera: Camera) => void) {
     this.canvas = element("canvas", "", { id, className: "overlay" }) as HTMLCanvasElement;
-    picture.after(this.canvas);
+    picture.parentElement!.append(this.canvas); // over the exact picture, too
   }
 
   /** Draws what has changed, and goes on with the eye as long as there is something. */

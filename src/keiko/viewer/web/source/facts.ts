@@ -44,7 +44,8 @@ export interface Facts {
   reflections: number;
   min_weight: number;
   materials: Material[];
-  faces: { id: number; name: string; layer: string; material: number }[];
+  parts: string[];
+  faces: { id: number; name: string; layer: string; material: number; part: number }[];
   views: { name: string; camera: Camera }[];
   own_views: { name: string; camera: Camera }[];
   against: boolean;

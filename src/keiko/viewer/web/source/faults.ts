@@ -20,6 +20,13 @@ export interface Fault {
   profile: Profile | null;
 }
 
+/** The stretch that a profile is of, piece by piece. */
+function stretchOf({ samples }: Profile): Vector[][] {
+  const pieces = new Map<number, Vector[]>();
+  for (const { piece, place } of samples) pieces.set(piece, [...pieces.get(piece) ?? [], place]);
+  return [...pieces.values()];
+}
+
 interface Faults { verdict: string; items: Fault[]; hidden: Fault[] }
 
 /** Share of the body's size that a close-up shows from top to bottom. */
@@ -47,16 +54,29 @@ function entry(host: Host, fault: Fault): HTMLElement {
   const into = element("div");
   const go = (): void => {
     host.lookFrom(closeUp(host, fault));
+    host.mark(fault.place, fault.profile ? stretchOf(fault.profile) : []);
+    for (const other of document.querySelectorAll("#faults button")) other.removeAttribute("aria-pressed");
+    named.setAttribute("aria-pressed", "true");
     if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
   };
+  const named = button(fault.faces, go);
   return element("li", [
-    button(fault.faces, go), element("div", fault.message, { className: fault.verdict }),
+    named, element("div", fault.message, { className: fault.verdict }),
     element("div", sightOf(fault), { className: "soft" }), into,
   ]);
 }
 
+const atOnce = 20; // entries of a list
+
+/** The faults of a list, the first of them at once and the others on request. */
 function list(host: Host, faults: Fault[], start: number): HTMLElement {
-  return element("ol", faults.map((fault) => entry(host, fault)), { start });
+  const shown = element("ol", faults.slice(0, atOnce).map((fault) => entry(host, fault)), { start }), left = faults.slice(atOnce);
+  if (left.length === 0) return shown;
+  const more = button(`${left.length} more`, () => {
+    shown.append(...left.map((fault) => entry(host, fault)));
+    more.remove();
+  });
+  return element("div", [shown, more]);
 }
 
 /** Buttons that fetch the faults in the order of mending, of the body alone or under the lamps too; a click on one flies there. */

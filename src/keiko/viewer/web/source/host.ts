@@ -19,6 +19,8 @@ export interface Host {
   lookFrom(camera: Camera): void;
   /** Shows a place in the middle, from where the eye is. */
   flyTo(place: Vector): void;
+  /** Marks a place over the picture, and the stretch of a seam that it is about, piece by piece. */
+  mark(place: Vector, stretch?: Vector[][]): void;
   /** Shows the scene without some faces, by their numbers in the file. */
   hide(faces: number[]): void;
   /** Something else that a link restores has changed. */

@@ -18,18 +18,30 @@ function noteField(place: Vector, face: number, add: (note: Note) => void): HTML
   return element("p", [input, button("note", keep)]);
 }
 
-/** Shows what is known of the surface at a pixel of the picture. `add` gets a note that is written on it. */
-export function showPlace(picture: Picture, facts: Facts, x: number, y: number, add: (note: Note) => void): void {
+/** A radius of curvature in words; positive ones are those of hollows as the eye sees them. */
+function radiusText(radius: number): string {
+  const size = Math.abs(radius), flat = 1e6; // mm
+  if (!(size < flat)) return "flat";
+  const digits = Math.max(0, 3 - Math.floor(Math.log10(size)));
+  return `${size.toFixed(digits)} mm ${radius > 0 ? "hollow" : "crowned"}`;
+}
+
+/** Shows what is known of the surface at a pixel of the picture, and returns the place. `add` gets a note that is written on it. */
+export function showPlace(picture: Picture, facts: Facts, x: number, y: number, add: (note: Note) => void): Vector | null {
   const at = picture.pick(x, y);
   byId("note").replaceChildren();
-  if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
+  if (!at) {
+    showPairs(byId("pick"), [["nothing", ""]]);
+    return null;
+  }
   const { origin, direction } = rayOf(picture.surfaces!.camera, x + 0.5, y + 0.5), place = sum(origin, scaled(direction, at.t));
   const face = at.face > 0 ? facts.faces[at.face - 1] : null;
   showPairs(byId("pick"), [
     ["face", face ? `${face.id} ${face.name}` : "ground"],
     ["place", `${numbers(place, 2)} mm`],
     ["normal", numbers(at.normal, 4)],
-    ["radii", at.radii.map((r) => Math.abs(r) < 1e6 ? `${r.toPrecision(4)} mm` : "flat").join(", ")],
+    ["radii", at.radii.map(radiusText).join(", ")],
   ]);
   if (face) byId("note").replaceChildren(noteField(place, face.id, add));
+  return place;
 }

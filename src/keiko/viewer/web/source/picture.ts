@@ -4,6 +4,8 @@ import { Mirrors } from "./fresnel";
 import { LampLight } from "./lamp_light";
 import { curvatureOf, lookColors, SurfaceLook, surfaceLooks } from "./look_colors";
 import { CurvatureKind } from "./look_words";
+import { rayNumbers } from "./ray";
+import { RowFrame } from "./row_frame";
 import { SurfaceBuffer } from "./surface_buffer";
 import { Vector } from "./vector";
 
@@ -105,10 +107,25 @@ export class Picture {
     return Number((power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
   }
 
+  /** The path of a pixel, or of the nearest above that is there; -1 without one. */
+  private pathAt(x: number, y: number): number {
+    const { buffer } = this;
+    return buffer?.pathOf[Math.floor(y / buffer.rowStep) * buffer.rowStep * buffer.camera.width + x] ?? -1;
+  }
+
+  /** The nearest row of lamps whose plane the first reflection at a pixel meets; -1 without one. */
+  rowAt(x: number, y: number, planes: Plane[]): number {
+    const path = this.pathAt(x, y), ray = this.buffer?.first.numbers, at = rayNumbers * path;
+    if (!ray || path < 0) return -1;
+    const origin: Vector = [ray[at], ray[at + 1], ray[at + 2]], direction: Vector = [ray[at + 3], ray[at + 4], ray[at + 5]];
+    const distances = planes.map((plane) => new RowFrame(plane).distanceTo(origin, direction));
+    const nearest = Math.min(...distances);
+    return nearest < Infinity ? distances.indexOf(nearest) : -1;
+  }
+
   /** The surface at a pixel, if there is one. */
   pick(x: number, y: number): Picked | null {
-    const { buffer } = this;
-    const path = buffer?.pathOf[Math.floor(y / buffer.rowStep) * buffer.rowStep * buffer.camera.width + x] ?? -1;
+    const { buffer } = this, path = this.pathAt(x, y);
     if (!buffer || path < 0) return null;
     const { t, normal, face, principal: [k1, k2] } = buffer.surfaceOf(path);
     return { t, normal: [...normal] as Vector, radii: [1 / k1, 1 / k2], face };

@@ -6,6 +6,8 @@ export interface PointerHost {
   camera(): Camera;
   style(): MouseStyle;
   setCamera(camera: Camera): void;
+  /** Chooses the row of lamps that a pixel of the picture mirrors. */
+  grabRow(x: number, y: number): void;
   /** Moves the chosen row of lamps in its plane, by pixels of the picture. */
   dragRow(x: number, y: number): void;
   /** Something has moved: the eye, or lamps. `isOver`: no more of this drag will come. */
@@ -32,14 +34,24 @@ export class Pointer {
   private timer = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly host: PointerHost) {
-    canvas.onpointerdown = (event) => {
-      canvas.setPointerCapture(event.pointerId);
-      this.drag = { x: event.clientX, y: event.clientY, action: mouseAction(host.style(), event), moved: false };
-    };
+    canvas.onpointerdown = (event) => this.press(event);
     canvas.onpointermove = (event) => this.move(event);
     canvas.onpointerup = (event) => this.release(event);
     canvas.oncontextmenu = (event) => event.preventDefault();
     canvas.onwheel = (event) => this.wheel(event);
+  }
+
+  /** The pixel of the picture under the mouse. */
+  private pixel(event: PointerEvent): [number, number] {
+    const { width, height } = this.canvas, box = this.canvas.getBoundingClientRect();
+    return [Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height)];
+  }
+
+  private press(event: PointerEvent): void {
+    const { canvas, host } = this, action = mouseAction(host.style(), event);
+    canvas.setPointerCapture(event.pointerId);
+    if (action === "lamps") host.grabRow(...this.pixel(event));
+    this.drag = { x: event.clientX, y: event.clientY, action, moved: false };
   }
 
   private move(event: PointerEvent): void {
@@ -60,9 +72,7 @@ export class Pointer {
     const { drag } = this;
     this.drag = null;
     if (drag?.moved) return this.host.changed(drag.action !== "lamps", true);
-    if (event.button !== 0) return;
-    const { width, height } = this.canvas, box = this.canvas.getBoundingClientRect();
-    this.host.pick(Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height));
+    if (event.button === 0) this.host.pick(...this.pixel(event));
   }
 
   private wheel(event: WheelEvent): void {

@@ -1,6 +1,8 @@
+import { Vector } from "./vector";
+
 /** A quantity of a profile of keiko-profiles/1. */
 interface Quantity { unit: string; largest: number; limit: number | null; formula?: "alias" | "catia" | string }
-interface Sample { along: number; piece: number; gap: number; angle: number | null; alias?: number; catia?: number }
+interface Sample { along: number; piece: number; place: Vector; gap: number; angle: number | null; alias?: number; catia?: number }
 
 /** A profile of keiko-profiles/1, as far as the page plots it. */
 export interface Profile {

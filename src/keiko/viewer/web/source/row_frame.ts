@@ -1,5 +1,5 @@
 import { Plane } from "./facts";
-import { cross, difference, dot, length, scaled, unit, Vector } from "./vector";
+import { cross, difference, dot, length, scaled, sum, unit, Vector } from "./vector";
 
 /** A row of lamps in the axes of its plane: u along the lamps, v across them, from the plane's corner. Lengths in mm. */
 export class RowFrame {
@@ -30,6 +30,15 @@ export class RowFrame {
     this.isRound = plane.mirror !== "flat";
     this.hasLuminousCaps = plane.caps === "luminous";
     this.luminance = plane.luminance;
+  }
+
+  /** The way of a ray to the rectangle between the plane's corners, mm; Infinity if it misses it. */
+  distanceTo(origin: Vector, direction: Vector): number {
+    const away = dot(this.normal, difference(this.origin, origin)) / dot(this.normal, direction);
+    if (!(away > 0)) return Infinity;
+    const at = difference(sum(origin, scaled(direction, away)), this.origin), along = dot(at, this.u), across = dot(at, this.v);
+    const room = this.diameter / 2;
+    return along >= 0 && along <= this.length && across >= this.first - room && across <= this.last + room ? away : Infinity;
   }
 
   /** True if images of rays on the other's plane are those on this one but for an offset. */

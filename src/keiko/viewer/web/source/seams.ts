@@ -5,13 +5,26 @@ import { ask } from "./server";
 
 const order = ["fail", "undecided", "pass"];
 
-/** The seams, the worst first; a click flies there. */
-function list(host: Host, seams: Seam[]): HTMLElement {
-  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
-  return element("table", sorted.map((seam) => element("tr", [
+function entry(host: Host, seam: Seam): HTMLElement {
+  return element("tr", [
     element("td", seam.verdict, { className: seam.verdict }), element("td", seam.kind),
     element("td", [button(seam.faces, () => host.flyTo(seam.middle))]),
-  ])));
+  ]);
+}
+
+const atOnce = 20; // entries of a list in which nothing fails
+
+/** The seams, the worst first; many that pass on request. A click flies there. */
+function list(host: Host, seams: Seam[]): HTMLElement {
+  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
+  const faulty = sorted.filter((seam) => seam.verdict !== "pass").length, first = Math.max(faulty, atOnce);
+  const shown = element("table", sorted.slice(0, first).map((seam) => entry(host, seam))), left = sorted.slice(first);
+  if (left.length === 0) return shown;
+  const more = button(`${left.length} more, which pass`, () => {
+    shown.append(...left.map((seam) => entry(host, seam)));
+    more.remove();
+  });
+  return element("div", [shown, more]);
 }
 
 /** A button that judges the seams and lists them. */

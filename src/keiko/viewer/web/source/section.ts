@@ -2,6 +2,7 @@ import { Camera } from "./camera";
 import { EyeOverlay } from "./eye_overlay";
 import { Host } from "./host";
 import { element } from "./panel";
+import { Point, stroke } from "./polyline";
 import { Projection } from "./projection";
 import { ask } from "./server";
 import { difference, length, scaled, sum, Vector } from "./vector";
@@ -12,8 +13,6 @@ interface Curve {
   largest_curvature: { value: number };
   pieces: { samples: { place: Vector; curvature: number; towards: Vector }[] }[];
 }
-
-type Point = [number, number];
 
 /** The longest tooth of a comb, as a share of the body's size. */
 const longestTooth = 0.06;
@@ -34,17 +33,6 @@ function drawCombs(context: CanvasRenderingContext2D, camera: Camera, curves: Cu
       context.strokeStyle = "#ffd23a";
       stroke(context, foot);
     }
-}
-
-function stroke(context: CanvasRenderingContext2D, points: (Point | null)[]): void {
-  context.beginPath();
-  let isDown = false;
-  for (const point of points) {
-    if (point && isDown) context.lineTo(...point);
-    else if (point) context.moveTo(...point);
-    isDown = point !== null;
-  }
-  context.stroke();
 }
 
 function summary(curves: Curve[], plane: string): string {

@@ -1,15 +1,11 @@
+import { Facts } from "./facts";
 import { Host } from "./host";
 import { button, element } from "./panel";
-import { ask } from "./server";
 
-/** The bodies and faces of keiko-model-facts/1, as far as the tree shows them. */
-interface ModelFacts {
-  part_list: { name: string }[];
-  face_list: { id: number; name: string; part: number; layer: string }[];
-}
+type Boxes = Map<number, HTMLInputElement[]>; // by face
 
 /** A box that shows or hides faces; a click on its name shows them alone. */
-function row(name: string, faces: number[], boxes: Map<number, HTMLInputElement[]>, changed: () => void): HTMLElement {
+function row(name: string, faces: number[], boxes: Boxes, changed: () => void): HTMLElement {
   const own = new Set(faces);
   const box = element("input", "", { type: "checkbox", checked: true, ariaLabel: `show ${name}` }) as HTMLInputElement;
   box.onchange = () => {
@@ -25,22 +21,29 @@ function row(name: string, faces: number[], boxes: Map<number, HTMLInputElement[
   return element("span", [box, alone]);
 }
 
-function body(facts: ModelFacts, part: number, boxes: Map<number, HTMLInputElement[]>, changed: () => void): HTMLElement {
-  const faces = facts.face_list.filter((face) => face.part === part);
-  const leaves = faces.map((face) => element("li", [row(`${face.id} ${face.name}`, [face.id], boxes, changed)]));
-  const name = facts.part_list[part].name || `body ${part + 1}`;
+const openFaces = 50; // of a body whose faces are listed at once
+
+function body({ parts, faces }: Facts, part: number, boxes: Boxes, changed: () => void): HTMLElement {
+  const own = faces.filter((face) => face.part === part), name = parts[part] || `body ${part + 1}`;
+  const leaves = own.map((face) => element("li", [row(`${face.id} ${face.name}`.trim(), [face.id], boxes, changed)]));
   return element("details", [
-    element("summary", [row(`${name} (${faces.length})`, faces.map((face) => face.id), boxes, changed)]),
+    element("summary", [row(`${name} (${own.length})`, own.map((face) => face.id), boxes, changed)]),
     element("ul", leaves),
-  ], { open: facts.part_list.length === 1 });
+  ], { open: parts.length === 1 && own.length <= openFaces });
 }
 
-/** A button that fetches the tree of bodies and faces; boxes hide, names isolate. */
+/** The bodies and faces: boxes hide, names isolate, and a line of text finds faces by number or name. */
 export class Tree {
-  private readonly boxes = new Map<number, HTMLInputElement[]>();
+  private readonly boxes: Boxes = new Map();
 
   constructor(private readonly into: HTMLElement, private readonly host: Host) {
-    into.replaceChildren(button("list", () => void this.fetch()));
+    const hide = (): void => {
+      host.hide([...this.boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
+    };
+    const find = element("input", "", { type: "search", placeholder: "find a face", ariaLabel: "find a face" }) as HTMLInputElement;
+    find.oninput = () => this.find(find.value.trim().toLowerCase());
+    into.replaceChildren(button("show all", () => host.hide([])), find,
+      ...host.facts.parts.map((_, part) => body(host.facts, part, this.boxes, hide)));
   }
 
   /** Takes over which faces are hidden. */
@@ -53,20 +56,12 @@ export class Tree {
     }
   }
 
-  private async fetch(): Promise<void> {
-    try {
-      this.show(await (await ask("GET", "/facts")).json());
-    } catch (error) {
-      this.host.fail(error);
+  /** Lists the faces that have a text in their number or name; all for an empty one. */
+  private find(text: string): void {
+    for (const body of this.into.querySelectorAll("details")) {
+      const leaves = [...body.querySelectorAll("li")];
+      for (const leaf of leaves) leaf.hidden = !leaf.textContent!.toLowerCase().includes(text);
+      if (text) body.open = leaves.some((leaf) => !leaf.hidden);
     }
-  }
-
-  private show(facts: ModelFacts): void {
-    const hide = (): void => {
-      this.host.hide([...this.boxes].filter(([, [box]]) => !box.checked).map(([face]) => face));
-    };
-    const parts = facts.part_list.map((_, part) => body(facts, part, this.boxes, hide));
-    this.into.replaceChildren(button("show all", () => this.host.hide([])), ...parts);
-    this.update();
   }
 }

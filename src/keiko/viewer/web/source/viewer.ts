@@ -7,6 +7,7 @@ import { Facts, Plane, Rig } from "./facts";
 import { faultsPanel } from "./faults";
 import { Gizmo } from "./gizmo";
 import { KeyHost, listenToKeys, showKeys } from "./keys";
+import { Marks } from "./marks";
 import { lampButtons, LampsHost, showLamps } from "./lamps_panel";
 import { keepInAddress, stateOfAddress, ViewState } from "./link";
 import { curvatureKinds, CurvatureKind, lookOf, StatedLook } from "./look_words";
@@ -45,6 +46,7 @@ export class Viewer implements KeyHost, LampsHost, AnalysisHost {
   private readonly gizmo: Gizmo;
   private readonly section: SectionPanel;
   private readonly tree: Tree;
+  private readonly marks: Marks;
   private readonly analysis: AnalysisPanel;
   private frame = 0;
   private spent = 0; // ms of work since the last frame
@@ -63,6 +65,7 @@ export class Viewer implements KeyHost, LampsHost, AnalysisHost {
     this.gizmo = new Gizmo(this.canvas.parentElement!, (move, amount, isOver) => this.moveRow(move, amount, isOver));
     this.section = new SectionPanel(byId("section"), this, this.canvas);
     this.tree = new Tree(byId("tree"), this);
+    this.marks = new Marks(this.canvas, () => this.eye);
     this.analysis = new AnalysisPanel(byId("analysis"), this, this.canvas);
   }
 
@@ -211,10 +214,16 @@ export class Viewer implements KeyHost, LampsHost, AnalysisHost {
   flyTo(place: Vector): void {
     const near = length(difference(this.facts.bounds.upper, this.facts.bounds.lower)) / 2;
     this.lookFrom(lookingAt(this.eye, place, near));
+    this.mark(place);
   }
 
   pick(x: number, y: number): void {
-    showPlace(this.picture, this.facts, x, y, (note: Note) => this.analysis.addNote(note));
+    const place = showPlace(this.picture, this.facts, x, y, (note: Note) => this.analysis.addNote(note));
+    this.marks.show(place);
+  }
+
+  mark(place: Vector, stretch: Vector[][] = []): void {
+    this.marks.show(place, stretch);
   }
 
   hide(faces: number[]): void {
@@ -225,6 +234,11 @@ export class Viewer implements KeyHost, LampsHost, AnalysisHost {
 
   private edit(row: number, change: (plane: Plane) => Plane): void {
     this.rows = this.rows.map((plane, i) => i === row ? change(plane) : plane);
+  }
+
+  grabRow(x: number, y: number): void {
+    const row = this.picture.rowAt(x, y, this.rows);
+    if (row >= 0 && row !== this.chosenRow) this.chooseRow(row);
   }
 
   dragRow(x: number, y: number): void {
