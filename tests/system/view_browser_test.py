@@ -424,6 +424,7 @@ class Panel(Page):
         # The seam is drawn through the place, which lies in the middle of a picture of 960 x 540.
         self.wait_for(lambda: self.marked(480, 270 - 5) or self.marked(480 - 5, 270))
         self.browser.find_element(By.ID, "picture").click()
+        self.assertTrue(self.marked(480, 270 - 40) or self.marked(480 - 40, 270), "the stretch stays beside the click")
         fault = json.loads(self.server.ask("GET", "/inspect")[2])["items"][0]
         lines = self.text("pick").split("\n")
         place = map(float, lines[lines.index("place") + 1].removesuffix(" mm").split(","))

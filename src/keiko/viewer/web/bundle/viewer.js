@@ -2562,11 +2562,17 @@ var Marks = class {
     this.stretch = [];
     this.overlay = new EyeOverlay("marks", picture, camera, (context, eye) => this.draw(context, new Projection(eye)));
   }
-  /** Shows a place; null: none. */
-  show(place, stretch = []) {
+  /** Shows a place, and a stretch of which none, one or several pieces are there. */
+  show(place, stretch) {
     this.place = place;
     this.stretch = stretch;
-    this.overlay.show(place !== null);
+    this.overlay.show(true);
+  }
+  /** Shows another place beside the stretch; null: nothing at all. */
+  move(place) {
+    if (place) return this.show(place, this.stretch);
+    this.stretch = [];
+    this.overlay.show(false);
   }
   draw(context, projection) {
     const pixel = (at) => projection.set(at) ? [projection.x, projection.y] : null;
@@ -3131,7 +3137,7 @@ var Viewer = class {
   }
   pick(x, y) {
     const place = showPlace(this.picture, this.facts, x, y, (note) => this.analysis.addNote(note));
-    this.marks.show(place);
+    this.marks.move(place);
   }
   mark(place, stretch = []) {
     this.marks.show(place, stretch);

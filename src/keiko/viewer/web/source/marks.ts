@@ -16,11 +16,18 @@ export class Marks {
     this.overlay = new EyeOverlay("marks", picture, camera, (context, eye) => this.draw(context, new Projection(eye)));
   }
 
-  /** Shows a place; null: none. */
-  show(place: Vector | null, stretch: Vector[][] = []): void {
+  /** Shows a place, and a stretch of which none, one or several pieces are there. */
+  show(place: Vector, stretch: Vector[][]): void {
     this.place = place;
     this.stretch = stretch;
-    this.overlay.show(place !== null);
+    this.overlay.show(true);
+  }
+
+  /** Shows another place beside the stretch; null: nothing at all. */
+  move(place: Vector | null): void {
+    if (place) return this.show(place, this.stretch);
+    this.stretch = [];
+    this.overlay.show(false);
   }
 
   private draw(context: CanvasRenderingContext2D, projection: Projection): void {

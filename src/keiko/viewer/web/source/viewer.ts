@@ -219,7 +219,7 @@ export class Viewer implements KeyHost, LampsHost, AnalysisHost {
 
   pick(x: number, y: number): void {
     const place = showPlace(this.picture, this.facts, x, y, (note: Note) => this.analysis.addNote(note));
-    this.marks.show(place);
+    this.marks.move(place);
   }
 
   mark(place: Vector, stretch: Vector[][] = []): void {
