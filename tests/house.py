@@ -70,6 +70,7 @@ CHAMBERS = {
         "toml": set(),
         "photometric": set(),
         "model": {"toml", "photometric"},
+        "scan": set(),
         "scene": {"toml", "photometric"},
     },
     "import": {
@@ -100,6 +101,7 @@ CHAMBERS = {
         "alignment": set(),
         "shape": {"alignment"},
         "outlines": {"alignment"},
+        "scan": {"shape"},
     },
     "report": {
         "markup": set(),

@@ -467,5 +467,44 @@ class ModuleTest(unittest.TestCase):
         self.assertGreater(count, 10)
 
 
+class ScanTest(unittest.TestCase):
+    """Points over a plate of 100 x 100 mm at height 0, its outside upwards."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.plate = Path(self.folder.name) / "plate.bpt"
+        self.plate.write_text("1\n1 1\n0 0 0\n0 100 0\n100 0 0\n100 100 0\n", encoding="utf-8")
+        x, y = (axis.ravel() for axis in np.meshgrid(np.linspace(1, 99, 50), np.linspace(1, 99, 50)))
+        self.points = np.column_stack([x, y, np.where(x < 25, 0.3, -0.05)])
+
+    def test_deviations_are_an_array_in_the_order_of_the_points(self):
+        compared = keiko.compare_scan(self.plate, self.points, tolerance=0.1, align=False, threads=1)
+        np.testing.assert_allclose(compared.deviations["distance"], self.points[:, 2], atol=1e-12)
+        np.testing.assert_allclose(compared.deviations["closest"][:, :2], self.points[:, :2], atol=1e-9)
+        self.assertTrue((compared.deviations["face"] == 1).all())
+        self.assertEqual(compared.verdict, "fail")
+        self.assertAlmostEqual(compared.to_dict()["within"], np.mean(self.points[:, 0] >= 25))
+        self.assertIn("histogram", compared._repr_html_())
+        self.assertEqual(pickle.loads(pickle.dumps(compared)).to_json(), compared.to_json())
+        judged = keiko.compare_scan(self.plate, self.points, tolerance=0.1, least_share=0.5, align=False)
+        self.assertEqual(judged.verdict, "pass")
+
+    def test_a_file_gives_what_the_command_line_writes(self):
+        scan, path = Path(self.folder.name) / "scan.xyz", Path(self.folder.name) / "scan.json"
+        np.savetxt(scan, self.points)
+        np.testing.assert_array_equal(keiko.read_scan(scan), np.loadtxt(scan))
+        np.testing.assert_array_equal(keiko.read_scan(scan, millimetres=10), 10 * np.loadtxt(scan))
+        told("compare", self.plate, scan, "--tolerance", "0.1", "--json", path, "-q")
+        self.assertEqual(keiko.compare_scan(self.plate, scan, tolerance=0.1).to_json(),
+                         path.read_text(encoding="utf-8"))
+
+    def test_wrong_arguments_are_refused(self):
+        for points, options in ((np.zeros((3, 2)), {}), (np.zeros((0, 3)), {}), (np.full((2, 3), np.nan), {}),
+                                (self.points, {"tolerance": -1}), (self.points, {"least_share": 2})):
+            with self.assertRaises(keiko.Error):
+                keiko.compare_scan(self.plate, points, **options)
+
+
 if __name__ == "__main__":
     unittest.main()

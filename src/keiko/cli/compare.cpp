@@ -4,7 +4,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/base/output_folder.h"
-#include "keiko/base/text.h"
+#include "keiko/cli/compare_scan.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/scope_options.h"
@@ -24,17 +24,12 @@ struct CompareArguments {
     CompareViewsOptions views;
     std::string preset, rig = "auto", mirror;
     ScopeOptions scope;
+    ScanArguments scan; ///< without what bodies have too
 };
 
 bool shows_pictures(const CompareArguments& arguments) {
     return !arguments.output.empty() || !arguments.views.views.empty() || arguments.rig != "auto" ||
            !arguments.scene.analysis.empty();
-}
-
-/// True if -o names a page rather than a folder.
-bool is_page(const fs::path& output) {
-    const std::string ending = lower_case(output.extension().string());
-    return ending == ".html" || ending == ".htm";
 }
 
 void require_outputs(const CompareArguments& arguments) {
@@ -100,7 +95,21 @@ void warn_of_lost_faces(const Comparison& comparison) {
                         " is missing: " + face.reason);
 }
 
-int compare(CompareArguments arguments, const Job& job) {
+/// Compares a scan, by its own options and those that bodies have too.
+int compare_scan(const CLI::App& command, const CompareArguments& arguments, const Job& job) {
+    SceneArguments nominal = arguments.scene;
+    nominal.inputs = {arguments.before};
+    ScanArguments scan = arguments.scan;
+    scan.scan = arguments.after, scan.output = arguments.output, scan.json = arguments.json;
+    scan.views = arguments.views.views, scan.reach = arguments.options.reach;
+    scan.tolerance = arguments.options.tolerance.deviation;
+    return compare_with_scan(command, nominal, scan, job);
+}
+
+int compare(const CLI::App& command, CompareArguments arguments, const Job& job) {
+    const bool is_scan = is_scan_file(arguments.after);
+    require_options_of_kind(command, is_scan);
+    if (is_scan) return compare_scan(command, arguments, job);
     if (arguments.after.empty() && arguments.mirror.empty())
         throw Error("", "AFTER", "is missing: name the revision, or a plane to --mirror at");
     if (arguments.after.empty()) arguments.after = arguments.before;
@@ -142,7 +151,8 @@ void add_tolerances(CLI::App& command, CompareBodiesOptions& options) {
     };
     add("--join", options.join, 1e-6, 1000, "mm within which borders are a seam");
     add("--tolerance", options.tolerance.deviation, 0, 1e6,
-        "mm that surfaces may be apart and still be the same");
+        "mm that surfaces may be apart and still be the same, or the points of a scan off; without "
+        "it a scan is not judged");
     add("--border-tolerance", options.tolerance.border, 0, 1e6,
         "mm that borders may be apart and still be the same");
     add("--angle-tolerance", options.tolerance.normal, 0, 180,
@@ -175,15 +185,18 @@ void add_sampling(CLI::App& command, CompareBodiesOptions& options) {
 void add_compare(CLI::App& app, Session& session) {
     auto arguments = std::make_shared<CompareArguments>();
     CLI::App& command = *app.add_subcommand(
-        "compare", "tell how a revision of a part deviates from the one before");
+        "compare", "tell how a revision of a part, or its scan, deviates from the one before");
     command.add_option("BEFORE", arguments->before, "model file, or scene file (.toml)")
         ->required();
-    command.add_option("AFTER", arguments->after,
-                       "model or scene file, in the same coordinates [with --mirror: BEFORE]");
+    command.add_option(
+        "AFTER", arguments->after,
+        "model or scene file, in the same coordinates [with --mirror: BEFORE], or the "
+        "scan of a part: .stl, .ply, .asc or .xyz");
     command.add_option("--mirror", arguments->mirror,
                        "take the mirror image of AFTER at a plane: x, y, z, or y=12.5 (mm)");
     command.add_flag("--align", arguments->options.align,
                      "move AFTER onto BEFORE first, by least squares of their distance");
+    arguments->scan.add_to(command);
     add_outputs(command, *arguments);
     command.add_option("--preset", arguments->preset,
                        "limits by name, or a preset file (.toml) [class-a-outer]");
@@ -196,8 +209,11 @@ void add_compare(CLI::App& app, Session& session) {
     arguments->scene.add_reading(command);
     command.footer(
         "Exit codes: 0 same within tolerance, 1 different, 2 error, 130 interrupted.\n"
-        "Example: keiko compare fender-a.step fender-b.step -o out");
-    session.add_command(command, [arguments](const Job& job) { return compare(*arguments, job); });
+        "Examples: keiko compare fender-a.step fender-b.step -o out\n"
+        "          keiko compare fender.step fender-scan.stl --tolerance 0.2 -o out");
+    session.add_command(command, [arguments, &command](const Job& job) {
+        return compare(command, *arguments, job);
+    });
 }
 
 } // namespace keiko::cli

@@ -10,7 +10,7 @@
 namespace keiko {
 namespace {
 
-const Rgb backdrop(0.07), far_color(1, 0, 1);
+const Rgb backdrop(0.07), no_value(0.25), far_color(1, 0, 1);
 
 void put(float* pixel, const Rgb& color) {
     pixel[0] = static_cast<float>(color.r);
@@ -18,17 +18,11 @@ void put(float* pixel, const Rgb& color) {
     pixel[2] = static_cast<float>(color.b);
 }
 
-/// Share of the colours' reach: 0 at 0, or at the end of the range that is nearest to it.
-double share_of(double value, const ValueRange& range) {
-    const double middle = std::clamp(0.0, range.low, range.high);
-    const double reach = value < middle ? middle - range.low : range.high - middle;
-    return reach > 0 ? (value - middle) / reach : 0;
-}
-
 Rgb color_of(float value, float facing, const ValueRange& range) {
-    if (std::isnan(value)) return backdrop;
     const double shade = 0.55 + 0.45 * double{facing};
-    return (std::isinf(value) ? far_color : signed_color(share_of(double{value}, range))) * shade;
+    if (std::isnan(value)) return facing > 0 ? no_value * shade : backdrop;
+    return (std::isinf(value) ? far_color : signed_color(signed_share(double{value}, range))) *
+           shade;
 }
 
 std::string number(double value) {
@@ -42,7 +36,7 @@ ColorLegend legend_of(const ValueRange& range, const std::string& unit) {
     ColorLegend legend{
         unit,
         [low = low, high = high](double position) {
-            return signed_color(share_of(low + (high - low) * position, {low, high}));
+            return signed_color(signed_share(low + (high - low) * position, {low, high}));
         },
         {}};
     for (const double position : {0.0, 1.0, 0.5, 0.25, 0.75})
@@ -59,6 +53,12 @@ Rgb signed_color(double share) {
     const std::size_t first = std::min<std::size_t>(3, static_cast<std::size_t>(at));
     const double part = at - static_cast<double>(first);
     return stops[first] * (1 - part) + stops[first + 1] * part;
+}
+
+double signed_share(double value, const ValueRange& range) {
+    const double middle = std::clamp(0.0, range.low, range.high);
+    const double reach = value < middle ? middle - range.low : range.high - middle;
+    return reach > 0 ? (value - middle) / reach : 0;
 }
 
 Image signed_color_picture(const Image& values, const Image& facing, const ValueRange& range,

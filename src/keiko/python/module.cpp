@@ -68,5 +68,6 @@ PYBIND11_MODULE(_keiko, module) {
     keiko::python::add_scenes(module);
     keiko::python::add_inspections(module);
     keiko::python::add_pictures(module);
+    keiko::python::add_scans(module);
     keiko::python::add_verbs(module);
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -27,11 +28,15 @@ SampleCloud thinned(const SampleCloud& cloud, std::size_t most) {
     return some;
 }
 
+/// Constraint of a place of the body: to the nearest place of the other, to the nearest of its
+/// borders, or to the nearest that is not beyond these.
+enum class HeldBy { surface, border, inner_surface };
+
 /// A place of the body, and how much it counts.
 struct Held {
     Vec3 place;
     double weight;
-    bool border;
+    HeldBy by;
 };
 
 std::vector<Held> held_places(const ClosestPointQuery& body, const SampleCloud& cloud,
@@ -40,15 +45,15 @@ std::vector<Held> held_places(const ClosestPointQuery& body, const SampleCloud& 
     std::vector<Held> held;
     double area = 0;
     for (const SurfaceSample& sample : cloud) {
-        held.push_back({sample.point.position, sample.area, false});
+        held.push_back({sample.point.position, sample.area, HeldBy::surface});
         area += sample.area;
     }
     const std::vector<BorderPoint> borders = body.border_points();
     const std::size_t step = std::max<std::size_t>(1, borders.size() / most_borders);
     const std::size_t count = (borders.size() + step - 1) / step;
     for (std::size_t i = 0; i < borders.size(); i += step)
-        held.push_back(
-            {borders[i].position, border_share * area / static_cast<double>(count), true});
+        held.push_back({borders[i].position, border_share * area / static_cast<double>(count),
+                        HeldBy::border});
     return held;
 }
 
@@ -60,13 +65,15 @@ struct Off {
 
 Off off(const ClosestPointQuery& other, const Held& held, const Vec3& p, double reach) {
     Vec3 to = p, normal(0);
-    if (held.border) {
+    if (held.by == HeldBy::border) {
         const auto foot = other.border_foot(p, reach);
         if (!foot) return {};
         to = *foot;
     } else {
         const auto foot = other.foot(p, reach);
-        if (!foot) return {};
+        constexpr double rounding = 1e-6; // mm: nearer points have no direction
+        const bool beyond = foot && (foot->on_border || foot->is_beside(p, rounding));
+        if (!foot || (beyond && held.by == HeldBy::inner_surface)) return {};
         to = foot->position;
         if (!foot->on_border) normal = foot->normal;
     }
@@ -94,7 +101,7 @@ Turn turn_from(const ClosestPointQuery& other, const std::vector<Held>& held, co
     for (std::size_t i = 0; i < held.size(); ++i) {
         turn.step.add(motion.point(held[i].place), offs[i].direction, offs[i].distance,
                       held[i].weight);
-        if (held[i].border || offs[i].direction == Vec3(0)) continue;
+        if (held[i].by == HeldBy::border || offs[i].direction == Vec3(0)) continue;
         turn.square += held[i].weight * offs[i].distance * offs[i].distance;
         area += held[i].weight;
     }
@@ -119,31 +126,68 @@ void tell_motion(Alignment& found, const Vec3& centre) {
     found.shift = found.motion.point(centre) - centre;
 }
 
-} // namespace
+/// Points at equal steps through all of them, about `most`.
+SampleCloud cloud_of(std::span<const Vec3> points, std::size_t most) {
+    const std::size_t step = std::max<std::size_t>(1, points.size() / most);
+    SampleCloud cloud;
+    for (std::size_t i = 0; i < points.size(); i += step) {
+        SurfaceSample sample;
+        sample.point.position = points[i], sample.area = 1;
+        cloud.push_back(sample);
+    }
+    return cloud;
+}
 
-Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
-                       const AlignmentOptions& options, const Job& job) {
-    constexpr std::size_t most_borders = 1000, few = 400;
-    const SampleCloud cloud = cloud_of(body, options.samples);
-    const std::vector<Held> held = held_places(body, cloud, most_borders);
+/// Lengths of steps, as shares of the size of the other.
+struct StepLimits {
+    double enough; ///< a shorter one ends the iteration
+    double most;   ///< a longer one is not made, and ends it without convergence
+};
+
+/// Iterates from the coarse alignment of `cloud`.
+Alignment aligned(const SampleCloud& cloud, const std::vector<Held>& held,
+                  const ClosestPointQuery& other, const AlignmentOptions& options,
+                  const StepLimits& limits, const Job& job) {
+    constexpr std::size_t few = 400, others = 3000;
     const double size = material_bounds(other.body().model, job).size(), reach = size / 10;
     const Vec3 centre = centre_of(cloud);
     Alignment found;
-    found.motion =
-        coarse_alignment(thinned(cloud, few), cloud_of(other, options.samples), size, job);
-    const double enough = 1e-11 * size;
+    found.motion = coarse_alignment(thinned(cloud, few), cloud_of(other, others), size, job);
     double square = 0;
     while (found.steps < options.most_steps && !found.converged) {
         const Turn turn =
             turn_from(other, held, found.motion, found.motion.point(centre), size, reach, job);
         square = turn.square;
-        found.converged = turn.step.length() <= enough;
+        if (turn.step.length() > limits.most * size) break;
+        found.converged = turn.step.length() <= limits.enough * size;
         found.motion = turn.step.motion() * found.motion;
         ++found.steps;
     }
     found.residual = std::sqrt(square);
     tell_motion(found, centre);
     return found;
+}
+
+} // namespace
+
+Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
+                       const AlignmentOptions& options, const Job& job) {
+    constexpr std::size_t most_borders = 1000;
+    constexpr StepLimits limits{1e-11, std::numeric_limits<double>::infinity()};
+    const SampleCloud cloud = cloud_of(body, options.samples);
+    return aligned(cloud, held_places(body, cloud, most_borders), other, options, limits, job);
+}
+
+Alignment align_points(std::span<const Vec3> points, const ClosestPointQuery& other,
+                       const AlignmentOptions& options, const Job& job) {
+    // A point that changes between faces lets shorter steps linger. Points that come to lie beyond
+    // borders hold nothing any more, so that a long step could lose them all.
+    constexpr StepLimits limits{1e-9, 0.02};
+    const SampleCloud cloud = cloud_of(points, options.samples);
+    std::vector<Held> held;
+    for (const SurfaceSample& sample : cloud)
+        held.push_back({sample.point.position, 1, HeldBy::inner_surface});
+    return aligned(cloud, held, other, options, limits, job);
 }
 
 } // namespace keiko

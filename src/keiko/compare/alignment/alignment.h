@@ -3,6 +3,8 @@
 #include "keiko/base/export.h"
 #include "keiko/compare/alignment/closest_point_query.h"
 
+#include <span>
+
 namespace KEIKO_API keiko {
 
 /// The rigid motion that brings a body onto another.
@@ -30,6 +32,12 @@ struct AlignmentOptions {
 /// other, each tried on samples first. The same for any number of threads. Reports stage "align".
 /// Throws Cancelled.
 Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
+                       const AlignmentOptions& options = {}, const Job& job = {});
+
+/// Likewise for points that were measured on a body, as many of them as `options.samples` says, all
+/// of one weight. Points beyond the borders of the other hold nothing, nor do those farther than a
+/// tenth of its size. Reports stage "align". Throws Cancelled.
+Alignment align_points(std::span<const Vec3> points, const ClosestPointQuery& other,
                        const AlignmentOptions& options = {}, const Job& job = {});
 
 } // namespace keiko

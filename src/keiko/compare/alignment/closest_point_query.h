@@ -22,6 +22,17 @@ struct ClosestSurfacePoint {
 
     /// Whether the distance is proved to within `tolerance` mm.
     bool certain(double tolerance) const { return distance - nearest <= tolerance; }
+    /// The distance of the place that it was sought for, mm: negative on the inside of the body.
+    double signed_distance(const Vec3& place) const {
+        return (place - position).dot(normal) < 0 ? -distance : distance;
+    }
+    /// Whether that place lies aside rather than above or below: more than 45 degrees off the
+    /// normal. Never for one that is nearer than `noise` mm.
+    bool is_beside(const Vec3& place, double noise) const {
+        if (distance <= noise) return false;
+        constexpr double steep = 0.7; // of the way there across the normal
+        return (place - position).cross(normal).length() > steep * distance;
+    }
 };
 
 /// A point of a body's material.

@@ -25,17 +25,9 @@ struct DeviationSample : SurfaceSample {
         return foot ? foot->distance : std::numeric_limits<double>::infinity();
     }
     /// Positive outside the other.
-    double deviation() const {
-        const bool inside = foot && (point.position - foot->position).dot(foot->normal) < 0;
-        return inside ? -distance() : distance();
-    }
+    double deviation() const { return foot ? foot->signed_distance(point.position) : distance(); }
     /// Whether the nearest point lies aside rather than above or below.
-    bool beside(double noise) const {
-        if (!foot || foot->distance <= noise) return false;
-        constexpr double steep = 0.7; // of the way there across the normal
-        const Vec3 way = point.position - foot->position;
-        return way.cross(foot->normal).length() > steep * foot->distance;
-    }
+    bool beside(double noise) const { return foot && foot->is_beside(point.position, noise); }
     bool turned() const { return foot && point.normal.dot(foot->normal) < 0; }
     /// Degrees between the tangent planes; 0 beyond a border, where they need not agree.
     double tilt() const {

@@ -7,16 +7,27 @@
 #include "keiko/math/disjoint_sets.h"
 #include "keiko/scene/camera.h"
 
+#include <functional>
 #include <map>
 
 namespace keiko {
 
-/// Deviation of a body from another, as viewed by an eye.
+/// Deviation of a surface from another, as viewed by an eye.
 struct DeviationMap {
-    /// mm, signed as Deviation: 1 channel. Infinity: nothing within reach; no number: no body.
+    /// mm, signed as Deviation: 1 channel. Infinity: nothing within reach; no number: no body,
+    /// or a place without a value.
     Image distance;
     Image facing; ///< 1 channel: cosine between view and normal, 0 to 1
 };
+
+/// Value of a place that a pixel shows.
+using HitValue = std::function<float(const Hit&)>;
+
+/// Follows the ray of every pixel's centre to the body and maps the value of the hit. `begin_row`
+/// makes the function that is called along a row of pixels, from the left. The same for any number
+/// of threads. Reports stage "deviation map". Throws Cancelled.
+DeviationMap surface_map(const Tracer& body, const Camera& camera,
+                         const std::function<HitValue()>& begin_row, const Job& job = {});
 
 /// Follows the ray of every pixel's centre to the body and finds the nearest point of the other, up
 /// to `reach` mm. The same for any number of threads. Reports stage "deviation map". Throws

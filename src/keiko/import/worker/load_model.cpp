@@ -4,6 +4,7 @@
 #include "keiko/base/units.h"
 #include "keiko/files/model/bezier_file.h"
 #include "keiko/files/model/model_format.h"
+#include "keiko/import/worker/axes_frame.h"
 #include "keiko/import/worker/model_cache.h"
 
 namespace keiko {
@@ -72,7 +73,23 @@ Vec3 axis_named(std::string_view word) {
     return axis;
 }
 
-Affine frame_of(std::string_view axes) {
+/// Turns a model into the vehicle frame. Only placements change, by exact numbers. Throws Error as
+/// axes_frame does.
+void turn_axes(SurfaceModel& model, std::string_view axes) {
+    try {
+        const Affine frame = axes_frame(axes);
+        for (Instance& instance : model.instances) instance.transform = frame * instance.transform;
+    } catch (const Error& e) {
+        throw Error(model.source, "", e.reason());
+    }
+    model.diagnostics.push_back(
+        {Severity::note, "",
+         "turned: its " + std::string(axes) + " point rearwards, to the right and up"});
+}
+
+} // namespace
+
+Affine axes_frame(std::string_view axes) {
     Affine frame;
     std::string_view rest = axes;
     for (Vec3& row : frame.rows) {
@@ -91,24 +108,6 @@ Affine frame_of(std::string_view axes) {
                         ": would mirror the body; one of them points the other way");
     return frame;
 }
-
-/// Turns a model into the vehicle frame. `axes` names the axes of its file that point rearwards, to
-/// the right and up, with a minus where it is their other end. For example "x,-z,y" is a file whose
-/// y is up and whose z is to the left. Only placements change, by exact numbers. Throws Error for
-/// other words, an axis named twice, and axes that would mirror the body.
-void turn_axes(SurfaceModel& model, std::string_view axes) {
-    try {
-        const Affine frame = frame_of(axes);
-        for (Instance& instance : model.instances) instance.transform = frame * instance.transform;
-    } catch (const Error& e) {
-        throw Error(model.source, "", e.reason());
-    }
-    model.diagnostics.push_back(
-        {Severity::note, "",
-         "turned: its " + std::string(axes) + " point rearwards, to the right and up"});
-}
-
-} // namespace
 
 SurfaceModel load_model(const std::filesystem::path& path, const LoadOptions& options,
                         const Job& job) {

@@ -12,13 +12,18 @@ import numpy as _np
 
 from ._keiko import (DeepBuffer, Error, Film, Placement, Scene, accept_baselines, accept_findings, check_json,
                      compare_json, deep_buffer, hit_dtype, illuminance_rows, info_json, lines_json, open_scene, place,
-                     regress_json, render_film, report_files, version, write_report)
+                     regress_json, render_film, report_files, scan_deviations, scan_points, version, write_report)
 
 __version__ = version()
 __all__ = ["Check", "Comparison", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Placement",
-           "Regression", "Report", "Scene", "accept", "accept_baselines", "check", "compare", "deep_view", "hit_dtype",
-           "illuminance", "info",
-           "inspect", "lines", "open_scene", "place", "regress", "render", "version"]
+           "Regression", "Report", "ScanComparison", "Scene", "accept", "accept_baselines", "check", "compare",
+           "compare_scan", "deep_view", "hit_dtype", "illuminance", "info", "inspect", "lines", "open_scene", "place",
+           "read_scan", "regress", "render", "version"]
+
+
+def _framed(page: str) -> str:
+    """A page in a frame of a notebook."""
+    return f'<iframe srcdoc="{_html.escape(page)}" width="100%" height="720" frameborder="0"></iframe>'
 
 
 class Document:
@@ -133,8 +138,7 @@ class Report(Check):
         return type(self), (self._files, self._base)
 
     def _repr_html_(self) -> str:
-        return (f'<iframe srcdoc="{_html.escape(self.html)}" width="100%" height="720" '
-                'frameborder="0"></iframe>')
+        return _framed(self.html)
 
 
 class Lines(Judged):
@@ -143,6 +147,25 @@ class Lines(Judged):
 
 class Comparison(Judged):
     """Two revisions of a part, as `keiko compare --json` has them."""
+
+
+class ScanComparison(Judged):
+    """The points of a scan held against the exact surface, as `keiko compare --json` has them.
+
+    `verdict` is "pass", "fail" or "not judged". `deviations` has a row a point: distance (mm, positive
+    outside; infinite where nothing is within reach), closest (mm), face (its number; 0 beyond reach), beside
+    (beyond a free border) and certain (proved).
+    """
+
+    def __init__(self, text: str, html: str, deviations):
+        super().__init__(text)
+        self.html, self.deviations = html, deviations
+
+    def __reduce__(self):
+        return type(self), (self._text, self.html, self.deviations)
+
+    def _repr_html_(self) -> str:
+        return _framed(self.html)
 
 
 class Facts(Document):
@@ -229,6 +252,31 @@ def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, 
             progress=None, threads: int = 0) -> Comparison:
     """Compares the geometry, seams and findings of two model files or scene files."""
     return Comparison(compare_json(before, after, preset, join, align, progress, threads))
+
+
+def read_scan(file, *, millimetres: float = 1):
+    """Points of a scan, .stl, .ply, .asc or .xyz, as an array (n, 3) in mm.
+
+    `millimetres`: those in one unit of the file.
+    """
+    return scan_points(file, millimetres)
+
+
+def compare_scan(nominal, scan, *, tolerance: float | None = None, least_share: float = 1, align: bool = True,
+                 reach: float = 0, views=None, progress=None, threads: int = 0) -> ScanComparison:
+    """Measures how far points lie from the exact surface, and judges them by a tolerance in mm.
+
+    `nominal` is a Scene, or what opens one. `scan` is a file, or points (n, 3) in mm and in the coordinates of
+    the scene. `least_share` of them, 0 to 1, must be within the tolerance. With `align` they are moved onto the
+    surface first. Points farther than `reach` mm are outside of any tolerance; 0: a fiftieth of the size of
+    the nominal. `views` are those of the maps in `html`: () for three automatic ones, None for no maps.
+    """
+    is_file = isinstance(scan, (str, _os.PathLike))
+    points = read_scan(scan) if is_file else _np.asarray(scan, float)
+    name = _os.fspath(scan) if is_file else f"{len(points)} points"
+    nominal = _opened(nominal, progress, threads)
+    return ScanComparison(*scan_deviations(nominal, points, name, tolerance, least_share, align, reach,
+                                           None if views is None else _words(views), progress, threads))
 
 
 def info(file, *, unit: str = "", axes: str = "", join: float = 0.5, progress=None,

@@ -7,12 +7,6 @@
 namespace keiko {
 namespace {
 
-constexpr std::string_view maps_style = R"css(
-.maps { display: grid; grid-template-columns: repeat(auto-fit, minmax(480px, 1fr)); gap: 16px;
-  margin-bottom: 16px; }
-.card.scroll + p { margin-top: 16px; }
-)css";
-
 /// "1 seam worse", "2 seams worse"
 std::string count(const std::string& tone, std::size_t number, const std::string& noun,
                   const std::string& what) {
@@ -44,11 +38,6 @@ std::string head(const Comparison& c) {
     return html + "</div>\n";
 }
 
-std::string section(const std::string& title, const std::string& content) {
-    if (content.empty()) return "";
-    return "<section><h2>" + title + "</h2>" + content + "</section>\n";
-}
-
 std::string alignment(const Comparison& c) {
     if (!c.alignment) return "";
     return "<p>The part after was " + html_escaped(alignment_words(*c.alignment)) + ".</p>";
@@ -59,20 +48,14 @@ std::string_view png(const Comparison& c, const std::string& name) {
     return found == c.pngs.end() ? std::string_view() : std::string_view(found->second);
 }
 
-std::string map(const Comparison& c, const ComparedView& view) {
-    return "<figure class=\"card\"><div class=\"picture\"><img alt=\"signed distance map, " +
-           html_escaped(view.picture.view) + "\" width=\"" + std::to_string(view.map_width) +
-           "\" height=\"" + std::to_string(view.map_height) + "\" src=\"data:image/png;base64," +
-           base64(png(c, view.map)) + "\"></div><figcaption><b>" + html_escaped(view.picture.view) +
-           "</b><br><span class=\"soft small\">distance of after from before: red outside, blue "
-           "inside; magenta: nothing within " +
-           short_number(c.deviation.reach) + " mm</span></figcaption></figure>\n";
-}
-
 std::string maps(const Comparison& c) {
-    std::string html;
-    for (const ComparedView& view : c.views) html += map(c, view);
-    return html.empty() ? "" : "<div class=\"maps\">" + html + "</div>\n";
+    const std::string caption =
+        "distance of after from before: red outside, blue inside; magenta: nothing within " +
+        short_number(c.deviation.reach) + " mm";
+    std::vector<DeviationMapFigure> figures;
+    for (const ComparedView& view : c.views)
+        figures.push_back({view.picture.view, png(c, view.map), view.map_width, view.map_height});
+    return html_maps(figures, caption);
 }
 
 std::string view_section(const Comparison& c, const ComparedView& view) {
@@ -125,15 +108,15 @@ std::string footer(const Comparison& c) {
 
 std::string comparison_html(const Comparison& c) {
     std::string html = head(c);
-    html += section("Scope and zones", scope(c));
-    html += section("Checks", html_checks(c));
-    html += section("Alignment", alignment(c));
-    html += section("Deviation", maps(c) + html_percentiles(c));
-    html += section("Worst places", html_worst_places(c));
-    html += section("Faces", faces(c));
+    html += html_section("Scope and zones", scope(c));
+    html += html_section("Checks", html_checks(c));
+    html += html_section("Alignment", alignment(c));
+    html += html_section("Deviation", maps(c) + html_percentiles(c));
+    html += html_section("Worst places", html_worst_places(c));
+    html += html_section("Faces", faces(c));
     for (const ComparedView& view : c.views) html += view_section(c, view);
-    html += section("Seams", html_seam_changes(c));
-    html += section("Findings", html_finding_changes(c));
+    html += html_section("Seams", html_seam_changes(c));
+    html += html_section("Findings", html_finding_changes(c));
     return html_page("comparison", std::string(slider_style) + std::string(maps_style),
                      html + footer(c));
 }

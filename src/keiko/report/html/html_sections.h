@@ -3,12 +3,17 @@
 #include "keiko/report/content/comparison.h"
 #include "keiko/report/content/report.h"
 
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace keiko {
 
 // The parts of the HTML pages, each a fragment; empty if there is nothing to report. First those
 // of report.html, in the order of the page.
+
+/// A section with its heading; empty without content.
+std::string html_section(const std::string& title, const std::string& content);
 
 /// The inspected model, the verdict and the counts.
 std::string html_verdict(const Report& report);
@@ -59,7 +64,19 @@ std::string html_faces(const Report& report);
 /// The file, its losses and its repairs.
 std::string html_facts(const Report& report);
 
-// The tables of the page of a comparison.
+// The maps and tables of the page of a comparison.
+
+/// A map of deviations in one view.
+struct DeviationMapFigure {
+    std::string view;          ///< name of the view
+    std::string_view png;      ///< bytes of the picture
+    int width = 0, height = 0; ///< pixels of the picture
+};
+
+/// Style of html_maps, for the page's style sheet.
+extern const std::string_view maps_style;
+/// The maps side by side, each above the same caption in plain text; empty without any.
+std::string html_maps(std::span<const DeviationMapFigure> maps, const std::string& caption);
 
 /// Criteria that were judged, and their outcomes.
 std::string html_checks(const Comparison& comparison);

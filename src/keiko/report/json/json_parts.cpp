@@ -114,4 +114,15 @@ PictureOutcome picture_outcome_from(const Json& json) {
     return picture;
 }
 
+Json alignment_json(const Alignment& a) {
+    Json matrix = Json::array();
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3& row = a.motion.rows[i];
+        matrix.push_back({row.x, row.y, row.z, a.motion.translation[static_cast<unsigned>(i)]});
+    }
+    return {{"matrix", matrix},        {"axis", point(a.axis)},  {"angle", a.angle},
+            {"shift", point(a.shift)}, {"residual", a.residual}, {"steps", a.steps},
+            {"converged", a.converged}};
+}
+
 } // namespace keiko

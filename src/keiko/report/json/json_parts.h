@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/compare/alignment/alignment.h"
 #include "keiko/inspect/seams/seam_profile.h"
 #include "keiko/report/content/line_list.h"
 #include "keiko/report/content/picture_outcome.h"
@@ -22,6 +23,9 @@ Camera checked_camera_from(const Json& json);
 Json picture_outcome_json(const PictureOutcome& picture);
 /// Inverse of picture_outcome_json. Throws Json::exception.
 PictureOutcome picture_outcome_from(const Json& json);
+
+/// matrix, axis, angle, shift, residual, steps, converged.
+Json alignment_json(const Alignment& alignment);
 
 /// value, bound, limit, verdict, place.
 Json measured_json(const MeasuredValue& value);
