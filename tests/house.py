@@ -107,6 +107,7 @@ CHAMBERS = {
         "markup": set(),
         "content": {"markup"},
         "json": {"content"},
+        "mesh": {"content"},
         "html": {"content"},
         "junit": {"content"},
         "sarif": {"content"},

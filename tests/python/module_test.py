@@ -506,5 +506,26 @@ class ScanTest(unittest.TestCase):
                 keiko.compare_scan(self.plate, points, **options)
 
 
+class MeshTest(unittest.TestCase):
+    def test_corners_lie_on_the_exact_surface(self):
+        sphere = ROOT / "surfaces/rational-sphere.step"
+        mesh = keiko.mesh(sphere, ["mean", "draft"], deviation=0.5)
+        np.testing.assert_allclose(np.linalg.norm(mesh.points, axis=1), 100, atol=1e-9)
+        np.testing.assert_allclose(mesh.normals * 100, mesh.points, atol=1e-5)
+        np.testing.assert_allclose(np.sin(np.radians(mesh.fields["draft"])), mesh.points[:, 2] / 100, atol=1e-7)
+        self.assertEqual(mesh.triangles.shape, (len(mesh.faces), 3))
+        self.assertTrue(0 < mesh.deviation <= 0.5)
+        self.assertEqual(mesh.lost_faces, [])
+        self.assertTrue(mesh.vtp().startswith(b"<?xml") and mesh.ply().startswith(b"ply\n"))
+        self.assertTrue(mesh.glb((-0.1, 0.1)).startswith(b"glTF"))
+
+    def test_the_deviation_is_that_from_another_body(self):
+        dome = ROOT / "surfaces/dome.bpt"
+        mesh = keiko.mesh(dome, "deviation", against=keiko.open_scene(dome))
+        np.testing.assert_allclose(mesh.fields["deviation"], 0, atol=1e-8)
+        with self.assertRaisesRegex(keiko.Error, "against"):
+            keiko.mesh(dome, "deviation")
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -1,4 +1,4 @@
-/// Contents of a model or luminaire file.
+/// Contents of a model or luminaire file, and bodies in triangles.
 #pragma once
 
 #include "keiko/files/photometric/luminaire_file.h"
@@ -7,4 +7,5 @@
 #include "keiko/report/content/luminaire_facts.h"
 #include "keiko/workflow/build_facts.h"
 #include "keiko/workflow/check_models.h"
+#include "keiko/workflow/surface_mesh.h"
 #include "keiko/workflow/version.h"

@@ -1,5 +1,6 @@
 // The analysis mode of RenderArguments and its settings, parsed from their texts.
 #include "keiko/base/error.h"
+#include "keiko/cli/option_values.h"
 #include "keiko/cli/render_options.h"
 
 #include <cmath>
@@ -8,17 +9,6 @@
 namespace keiko::cli {
 namespace {
 
-/// "X,Y,Z", not 0; its length does not matter.
-Vec3 direction(const std::string& option, const std::string& text) {
-    Vec3 d(0);
-    int end = 0;
-    if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &d.x, &d.y, &d.z, &end) != 3 ||
-        static_cast<std::size_t>(end) != text.size() || !std::isfinite(d.length()) ||
-        !(d.length() > 0))
-        throw Error("", option, "'" + text + "' is not a direction X,Y,Z of some length");
-    return d.normalized();
-}
-
 /// "P%"
 std::optional<double> percentile(const std::string& text) {
     double percent = 0;
@@ -26,17 +16,6 @@ std::optional<double> percentile(const std::string& text) {
     if (std::sscanf(text.c_str(), "%lf%%%n", &percent, &end) != 1 || end == 0) return std::nullopt;
     const bool is_whole = static_cast<std::size_t>(end) == text.size();
     return is_whole && percent > 0 && percent <= 100 ? std::optional(percent) : std::nullopt;
-}
-
-/// "MIN:MAX"
-std::optional<ValueRange> value_range(const std::string& text) {
-    ValueRange range;
-    int end = 0;
-    if (std::sscanf(text.c_str(), "%lf:%lf%n", &range.low, &range.high, &end) != 2 ||
-        static_cast<std::size_t>(end) != text.size() || !std::isfinite(range.high - range.low) ||
-        !(range.low < range.high))
-        return std::nullopt;
-    return range;
 }
 
 AnalysisScale scale_of(const std::string& text, bool logarithmic) {

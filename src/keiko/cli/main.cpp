@@ -1,5 +1,6 @@
 #include "keiko/base/memory.h"
 #include "keiko/base/text.h"
+#include "keiko/cli/mesh.h"
 #include "keiko/cli/session.h"
 
 #include <cstdio>
@@ -24,6 +25,7 @@ int main(int argc, char** argv) try {
     cli::add_inspect(app, session);
     cli::add_lines(app, session);
     cli::add_merge(app, session);
+    cli::add_mesh(app, session);
     cli::add_place(app, session);
     cli::add_regress(app, session);
     cli::add_render(app, session);

@@ -68,6 +68,7 @@ PYBIND11_MODULE(_keiko, module) {
     keiko::python::add_scenes(module);
     keiko::python::add_inspections(module);
     keiko::python::add_pictures(module);
+    keiko::python::add_meshes(module);
     keiko::python::add_scans(module);
     keiko::python::add_verbs(module);
 }

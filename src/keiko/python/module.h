@@ -40,6 +40,8 @@ void add_inspections(pybind11::module_& module);
 /// The functions place, lines_json, compare_json, info_json, regress_json, accept_baselines and
 /// illuminance_rows.
 void add_verbs(pybind11::module_& module);
+/// The class Mesh and the function surface_mesh.
+void add_meshes(pybind11::module_& module);
 /// The functions scan_deviations and scan_points.
 void add_scans(pybind11::module_& module);
 /// The function render and the class Film.

@@ -1,8 +1,10 @@
 #include "keiko/base/error.h"
 #include "keiko/files/model/curve_serialization.h"
+#include "keiko/files/model/mesh_serialization.h"
 #include "keiko/files/model/model_serialization.h"
 #include "keiko/import/cad/cad_import.h"
 #include "keiko/import/cad/curve_files.h"
+#include "keiko/import/cad/face_meshes.h"
 #include "keiko/import/subdivision/subdivision_model.h"
 
 #include <sys/prctl.h>
@@ -22,8 +24,10 @@
 // OpenCASCADE or a cage with OpenSubdiv. It answers on file descriptor 3 (stdout when that is
 // closed), as worker_answer.h says.
 // With `write-curves` for FILE it answers with a STEP or IGES file of the serialised curves on
-// stdin. With `read-curves` before FILE it answers with the serialised curves of a file. With the
-// one argument `versions` it answers with a line for each of the two libraries.
+// stdin. With `read-curves` before FILE it answers with the serialised curves of a file. With
+// `mesh` and a number of mm for FILE and FORMAT it answers with triangles of the serialised model
+// on stdin, which leave its surfaces by about so much. With the one argument `versions` it answers
+// with a line for each of the two libraries.
 
 namespace {
 
@@ -63,10 +67,11 @@ SurfaceModel read(const std::string& file, ModelFormat format, const Job& job) {
 
 /// Request of the program that started this.
 struct Request {
-    enum class Kind { model, write_curves, read_curves };
+    enum class Kind { model, write_curves, read_curves, mesh };
     Kind kind = Kind::model;
-    std::string file; ///< to read
-    std::string format, memory_limit;
+    std::string file;   ///< to read
+    std::string format; ///< of the file; of a mesh the deviation, mm
+    std::string memory_limit;
     int threads = 0;
 };
 
@@ -89,8 +94,15 @@ void answer_with_curves(std::FILE* out, const Request& request) {
     std::fwrite(bytes.data(), 1, bytes.size(), out);
 }
 
+void answer_with_mesh(std::FILE* out, const Request& request, const Job& job) {
+    const SurfaceModel model = deserialize(input(), "keiko-import");
+    const double deviation = std::strtod(request.format.c_str(), nullptr);
+    const std::string bytes = serialize(cad::mesh_faces(model, deviation, job));
+    std::fputs("mesh\n", out);
+    std::fwrite(bytes.data(), 1, bytes.size(), out);
+}
+
 void answer(std::FILE* out, const Request& request) {
-    if (request.kind != Request::Kind::model) return answer_with_curves(out, request);
     double told = 0;
     Job job;
     job.threads = request.threads;
@@ -100,6 +112,8 @@ void answer(std::FILE* out, const Request& request) {
         std::fprintf(out, "progress %.3f\n", told);
         std::fflush(out);
     };
+    if (request.kind == Request::Kind::mesh) return answer_with_mesh(out, request, job);
+    if (request.kind != Request::Kind::model) return answer_with_curves(out, request);
     const SurfaceModel model = read(request.file, format_named(request.format), job);
     std::fputs("model\n", out);
     serialize(model,
@@ -114,6 +128,8 @@ std::optional<Request> request_of(std::vector<std::string> words) {
         words.erase(words.begin());
     } else if (words.size() == 4 && words[0] == "write-curves") {
         request.kind = Request::Kind::write_curves;
+    } else if (words.size() == 4 && words[0] == "mesh") {
+        request.kind = Request::Kind::mesh;
     }
     if (words.size() != 4) return std::nullopt;
     request.file = words[0], request.format = words[1], request.memory_limit = words[2];
@@ -135,7 +151,8 @@ int main(int argc, char** argv) {
     if (!request) {
         std::fputs(
             "usage: keiko-import [read-curves] FILE STEP|IGES|BREP|OBJ MEMORY_LIMIT THREADS\n"
-            "       keiko-import write-curves STEP|IGES MEMORY_LIMIT THREADS\n",
+            "       keiko-import write-curves STEP|IGES MEMORY_LIMIT THREADS\n"
+            "       keiko-import mesh DEVIATION MEMORY_LIMIT THREADS\n",
             stderr);
         return 2;
     }

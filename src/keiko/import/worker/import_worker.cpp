@@ -2,8 +2,11 @@
 #include "keiko/base/error.h"
 #include "keiko/base/text.h"
 #include "keiko/files/model/curve_serialization.h"
+#include "keiko/files/model/mesh_serialization.h"
+#include "keiko/files/model/model_serialization.h"
 #include "keiko/import/worker/curve_files.h"
 #include "keiko/import/worker/load_model.h"
+#include "keiko/import/worker/mesh_in_worker.h"
 #include "keiko/import/worker/worker_answer.h"
 #include "keiko/import/worker/worker_libraries.h"
 #include "keiko/import/worker/worker_process.h"
@@ -122,6 +125,21 @@ SurfaceModel import_in_worker(const fs::path& path, ModelFormat format, const Lo
                               const Job& job) {
     const auto arguments = arguments_of(path.string(), format, options, job);
     return answer_of(path.string(), arguments, "", options, job).model();
+}
+
+ModelMesh mesh_in_worker(const SurfaceModel& model, double deviation, const LoadOptions& options,
+                         const Job& job) {
+    std::ostringstream limit;
+    limit.precision(17);
+    limit << deviation;
+    const WorkerAnswer answer = answer_of(
+        model.source,
+        {"mesh", limit.str(), std::to_string(options.memory_limit), std::to_string(job.threads)},
+        serialize(model), options, job);
+    ModelMesh mesh = deserialize_mesh(answer.result(), model.source);
+    if (mesh.size() != model.faces.size())
+        throw Error(model.source, "", "its mesh is damaged: it has another number of faces");
+    return mesh;
 }
 
 bool is_curve_file(const fs::path& path) {

@@ -40,7 +40,7 @@ void WorkerAnswer::receive(std::string_view bytes) {
 void WorkerAnswer::take_line() {
     const std::string_view line = line_;
     constexpr std::string_view progress = "progress ", error = "error ", where = "where ";
-    if (line == "model" || line == "curves") {
+    if (line == "model" || line == "curves" || line == "mesh") {
         has_result_ = true;
     } else if (line.starts_with(error)) {
         reason_ = shortened(line.substr(error.size()));

@@ -10,10 +10,10 @@
 namespace keiko {
 
 /// Parser of the answer of a worker as it comes in. The answer is lines "progress FRACTION", then
-/// "error REASON", "model" or "curves". A line "where PLACE" comes before the reason if the place
-/// is known. The bytes of the result follow "model" or "curves" up to the end: a serialised model,
-/// serialised curves, or a file of curves. The worker is not trusted: whatever it writes, nothing
-/// but an Error naming `file` comes of it.
+/// "error REASON", "model", "curves" or "mesh". A line "where PLACE" comes before the reason if the
+/// place is known. The bytes of the result follow the last three up to the end: a serialised model,
+/// serialised curves, a file of curves, or a serialised mesh. The worker is not trusted: whatever
+/// it writes, nothing but an Error naming `file` comes of it.
 class WorkerAnswer {
 public:
     /// `most_bytes` of a result are taken; 0: any number. Progress goes to `job` as "import".

@@ -10,14 +10,15 @@ import os as _os
 
 import numpy as _np
 
-from ._keiko import (DeepBuffer, Error, Film, Placement, Scene, accept_baselines, accept_findings, check_json,
+from ._keiko import (DeepBuffer, Error, Film, Mesh, Placement, Scene, accept_baselines, accept_findings, check_json,
                      compare_json, deep_buffer, hit_dtype, illuminance_rows, info_json, lines_json, open_scene, place,
-                     regress_json, render_film, report_files, scan_deviations, scan_points, version, write_report)
+                     regress_json, render_film, report_files, scan_deviations, scan_points, surface_mesh,
+                     version, write_report)
 
 __version__ = version()
-__all__ = ["Check", "Comparison", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Placement",
+__all__ = ["Check", "Comparison", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Mesh", "Placement",
            "Regression", "Report", "ScanComparison", "Scene", "accept", "accept_baselines", "check", "compare",
-           "compare_scan", "deep_view", "hit_dtype", "illuminance", "info", "inspect", "lines", "open_scene", "place",
+           "compare_scan", "deep_view", "hit_dtype", "illuminance", "info", "inspect", "lines", "mesh", "open_scene", "place",
            "read_scan", "regress", "render", "version"]
 
 
@@ -277,6 +278,21 @@ def compare_scan(nominal, scan, *, tolerance: float | None = None, least_share: 
     nominal = _opened(nominal, progress, threads)
     return ScanComparison(*scan_deviations(nominal, points, name, tolerance, least_share, align, reach,
                                            None if views is None else _words(views), progress, threads))
+
+
+def mesh(scene, fields=(), *, deviation: float = 0.1, pull=(0, 0, 1), against=None, reach: float = 0, progress=None,
+         threads: int = 0) -> Mesh:
+    """A body in triangles, whose corners lie on the exact surface, with numbers of it at each corner.
+
+    `fields` are of k1, k2, mean, absolute (1/mm), gauss (1/mm2), draft (degrees against `pull`) and deviation (mm
+    from `against`, a Scene or what opens one, sought within `reach` mm; 0: a fiftieth of its size). The surface
+    leaves the triangles by about `deviation` mm at most. `points`, `normals` (n, 3), `triangles` (m, 3), `faces`
+    (m) and `fields` are arrays; `vtp()`, `ply(range)` and `glb(range)` are the bytes of files, coloured by the
+    first field over a range (low, high).
+    """
+    scene = _opened(scene, progress, threads)
+    other = None if against is None else _opened(against, progress, threads)
+    return surface_mesh(scene, deviation, _words(fields), tuple(pull), other, reach, progress, threads)
 
 
 def info(file, *, unit: str = "", axes: str = "", join: float = 0.5, progress=None,

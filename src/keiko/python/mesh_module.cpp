@@ -1,0 +1,98 @@
+#include "keiko/api/model.h"
+#include "keiko/python/module.h"
+#include "keiko/python/work.h"
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <utility>
+
+namespace py = pybind11;
+
+namespace keiko::python {
+namespace {
+
+/// Vectors as NumPy sees them, n rows of 3, without a copy.
+template <class Row, class Number>
+py::array rows_of(const std::vector<Row>& rows, const Number* data, const py::object& owner) {
+    static_assert(sizeof(Row) == 3 * sizeof(Number));
+    return py::array_t<Number>({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}}, data,
+                               owner);
+}
+
+py::array vectors_of(const std::vector<Vec3>& vectors, const py::object& owner) {
+    return rows_of(vectors, vectors.empty() ? nullptr : &vectors.front().x, owner);
+}
+
+py::dict fields_of(const py::object& owner) {
+    py::dict fields;
+    for (const MeshField& field : owner.cast<const SurfaceMesh&>().fields)
+        fields[py::str(field.name)] = py::array_t<double>(
+            static_cast<py::ssize_t>(field.values.size()), field.values.data(), owner);
+    return fields;
+}
+
+SurfaceMesh mesh(const OpenScene& open, double deviation, const std::vector<std::string>& fields,
+                 const std::array<double, 3>& pull, const OpenScene* against, double reach,
+                 const py::object& progress, int threads) {
+    MeshOptions options;
+    options.deviation = deviation, options.reach = reach;
+    options.pull = {pull[0], pull[1], pull[2]};
+    for (const std::string& name : fields) options.fields.push_back(surface_field_by_name(name));
+    if (against) options.against = against->scene.get();
+    return run({progress, threads},
+               [&](const Job& job) { return surface_mesh(*open.scene, options, job); });
+}
+
+using Range = std::optional<std::pair<double, double>>;
+
+std::optional<ValueRange> range_of(const Range& range) {
+    return range ? std::optional(ValueRange{range->first, range->second}) : std::nullopt;
+}
+
+} // namespace
+
+void add_meshes(py::module_& module) {
+    py::class_<SurfaceMesh>(module, "Mesh")
+        .def_property_readonly("points",
+                               [](const py::object& mesh) {
+                                   return vectors_of(mesh.cast<const SurfaceMesh&>().positions,
+                                                     mesh);
+                               })
+        .def_property_readonly("normals",
+                               [](const py::object& mesh) {
+                                   return vectors_of(mesh.cast<const SurfaceMesh&>().normals, mesh);
+                               })
+        .def_property_readonly("triangles",
+                               [](const py::object& mesh) {
+                                   const auto& rows = mesh.cast<const SurfaceMesh&>().triangles;
+                                   return rows_of(
+                                       rows, rows.empty() ? nullptr : rows.front().data(), mesh);
+                               })
+        .def_property_readonly("faces",
+                               [](const py::object& mesh) {
+                                   const auto& faces = mesh.cast<const SurfaceMesh&>().faces;
+                                   return py::array_t<std::uint32_t>(
+                                       static_cast<py::ssize_t>(faces.size()), faces.data(), mesh);
+                               })
+        .def_property_readonly("fields", &fields_of)
+        .def_readonly("deviation", &SurfaceMesh::deviation)
+        .def_readonly("lost_faces", &SurfaceMesh::lost_faces)
+        .def("vtp", [](const SurfaceMesh& mesh) { return py::bytes(vtp_file(mesh)); })
+        .def(
+            "ply",
+            [](const SurfaceMesh& mesh, const Range& range) {
+                return py::bytes(ply_file(mesh, range_of(range)));
+            },
+            py::arg("range") = py::none())
+        .def(
+            "glb",
+            [](const SurfaceMesh& mesh, const Range& range) {
+                return py::bytes(glb_file(mesh, range_of(range)));
+            },
+            py::arg("range") = py::none());
+    module.def("surface_mesh", &mesh);
+}
+
+} // namespace keiko::python
