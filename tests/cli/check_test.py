@@ -265,6 +265,9 @@ class Check(KeikoTest):
         names = re.findall(r"PRODUCT\( *'([^']*)'", step)
         self.assertEqual(len([n for n in names if ": inflection, within " in n]), inflections)
         self.assertEqual(len([n for n in names if n.startswith("section y=120")]), 1)
+        seams = sum(not seam["scrap"] for seam in report["seams"])
+        self.assertGreater(seams, 0)
+        self.assertEqual(len([n for n in names if re.match(r"seam \d+: pass, ", n)]), seams)
 
     def test_a_section_that_misses_the_body_is_warned_about(self):
         hood = surface("hood.step")

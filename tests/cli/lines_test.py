@@ -50,10 +50,22 @@ class Lines(KeikoTest):
         self.assertIn("B_SPLINE_CURVE_WITH_KNOTS", step)
         self.assertGreaterEqual(iges.count("     126 "), len(found["lines"]))
 
+    def test_contours_of_the_views_go_out_among_the_curves(self):
+        # A sphere of 100 mm: its contour is a circle on it, in one view of one octant after the other.
+        run = self.keiko("lines", surface("rational-sphere.step"), "--rig", TUNNEL, "--view", "high-front",
+                         "-o", "l.json", "--contours", "--curves", "c.step", "-q")
+        self.assertEqual(run.stderr, "")
+        step = (self.folder / "c.step").read_text().replace("\n", "")
+        contours = re.findall(r"PRODUCT\( *'(contour: high-front, face [^']*, within [^']* mm)'", step)
+        self.assertGreaterEqual(len(contours), 4)
+        run = self.keiko("lines", HOLE, "--rig", TUNNEL, "-o", "m.json", "--contours", "-q")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertIn("--contours: needs a file of --curves", run.stderr)
+
     def test_curves_of_another_kind_are_refused_before_the_work(self):
         run = self.keiko("lines", HOLE, "--rig", TUNNEL, "-o", "l.json", "--curves", "l.obj", "-q")
         self.assertEqual((run.returncode, run.stdout), (2, ""))
-        self.assertIn("--curves: 'l.obj' ends in none of .step, .stp, .iges and .igs", run.stderr)
+        self.assertIn("--curves: 'l.obj' ends in none of .step, .stp, .iges, .igs and .vtp", run.stderr)
         self.assertEqual(self.content(), [])
 
     def test_looks_are_asked_for_by_name(self):

@@ -138,6 +138,21 @@ class Mesh(KeikoTest):
         for value in inner:  # at the top it is the whole shift
             self.assertAlmostEqual(value, 0.25, delta=1e-3)
 
+    def test_curves_are_polylines_within_their_deviation(self):
+        self.keiko("check", "-q", surface("dome.bpt"), "--section", "y=0", "--iso-curves", "1", "--curves", "a.vtp")
+        curves = Vtp(self.folder / "a.vtp")
+        self.assertTrue(curves.names[0].startswith("section y=0, within "), curves.names)
+        self.assertEqual(set(curves.arrays["curve"]), set(range(len(curves.names))))
+        points, begin, on_section = curves.arrays["Points"], 0, 0
+        for end, number, deviation in zip(curves.arrays["offsets"], curves.arrays["curve"],
+                                          curves.arrays["deviation_mm"]):
+            for x, y, z in points[begin:end]:
+                exact = 50 * (1 - x * x / 1e4) * (1 - y * y / 1e4)
+                self.assertAlmostEqual(z, exact, delta=deviation)
+                on_section += number == 0 and abs(y) < 1e-6
+            begin = end
+        self.assertGreater(on_section, 10)
+
     def test_vtk_reads_it(self):
         try:
             from vtkmodules.vtkIOXML import vtkXMLPolyDataReader

@@ -3,6 +3,8 @@
 
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
+#include "keiko/report/content/contour_set.h"
 #include "keiko/report/content/line_list.h"
 #include "keiko/report/content/scope_texts.h"
+#include "keiko/workflow/curve_output.h"
 #include "keiko/workflow/find_lines.h"

@@ -1,5 +1,6 @@
 #include "keiko/api/check.h"
 
+#include "keiko/api/lines.h"
 #include "keiko/api/results.h"
 #include "keiko/base/log.h"
 #include "keiko/cli/inspection_options.h"
@@ -55,7 +56,7 @@ void add_curves(FileTransaction& outputs, const CheckArguments& arguments,
                                                  : std::span<const CombCurve>();
     const CurveSet curves = inspection_curves(result.inspection, combs, options.combs.chord_error);
     for (const auto& file : arguments.curves.files())
-        outputs.add(file, curve_file(curves, file, options.load, job));
+        outputs.add(file, curve_output(curves, file, options.load, job));
 }
 
 int check(CheckArguments arguments, const Job& job) {
@@ -114,8 +115,9 @@ void add_check(CLI::App& app, Session& session) {
     arguments->scope.add_to(command);
     arguments->combs.add_files(command);
     arguments->curves.add_to(command,
-                             "STEP or IGES file to write sections, iso-curves and "
-                             "inflections of faces to, as B-splines; may repeat");
+                             "STEP or IGES file to write sections, iso-curves, "
+                             "inflections of faces and seams to, as B-splines, or .vtp of "
+                             "polylines; may repeat");
     arguments->profiles.add_to(command);
     add_load_options(command, arguments->models);
     command.footer(

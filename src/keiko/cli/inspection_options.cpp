@@ -1,5 +1,6 @@
 #include "keiko/cli/inspection_options.h"
 
+#include "keiko/api/lines.h"
 #include "keiko/api/model.h"
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
@@ -91,9 +92,10 @@ void CurveFilesOption::require_places() const {
         require_place_for_file(file);
         if (std::count(files_.begin(), files_.end(), file) > 1)
             throw Error("", "--curves", "'" + file.string() + "' is asked for twice");
-        if (!is_curve_file(file))
-            throw Error("", "--curves",
-                        "'" + file.string() + "' ends in none of .step, .stp, .iges and .igs");
+        if (!is_curve_output(file))
+            throw Error(
+                "", "--curves",
+                "'" + file.string() + "' ends in none of .step, .stp, .iges, .igs and .vtp");
     }
 }
 

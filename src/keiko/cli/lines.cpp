@@ -23,6 +23,7 @@ struct LinesArguments {
     LinesOptions options;
     std::filesystem::path rig, output, csv, crossings, inflections, picture;
     CurveFilesOption curves;
+    bool contours = false; ///< of the views, among the curves
     std::string preset;
     std::size_t rows = 20; ///< of the table
     ScopeOptions scope;
@@ -71,8 +72,26 @@ void require_outputs(const LinesArguments& arguments) {
                              arguments.inflections, arguments.picture})
         if (!path.empty()) require_place_for_file(path);
     arguments.curves.require_places();
+    if (arguments.contours && arguments.curves.files().empty())
+        throw Error("", "--contours", "needs a file of --curves");
     if (!arguments.picture.empty() && arguments.picture.extension() != ".png")
         throw Error(arguments.picture.string(), "", "--picture makes a .png");
+}
+
+/// Files of the lines, with the contours of their views if requested.
+void write_curves(const LinesArguments& arguments, const Scene& scene, const LineList& list,
+                  const Job& job) {
+    if (arguments.curves.files().empty()) return;
+    CurveSet set = line_curves(list);
+    for (const ViewLines& view : list.views) {
+        if (!arguments.contours) break;
+        const std::vector<ContourLine> found = contour_curves(
+            scene.model, LineEye(view.camera), arguments.options.lines.lines.chord_error, job);
+        for (NamedCurve& curve : contour_set(scene.model, view.view, found))
+            set.curves.push_back(std::move(curve));
+    }
+    for (const auto& file : arguments.curves.files())
+        write_text_file(file, curve_output(set, file, load_options(arguments.scene), job));
 }
 
 void write(const LinesArguments& arguments, const Scene& scene, const LineList& list,
@@ -82,9 +101,7 @@ void write(const LinesArguments& arguments, const Scene& scene, const LineList& 
             write_png(picture_of(arguments.picture, list, list.views[view]),
                       lines_picture(scene, arguments.options, list, view, job));
     write_text_file(arguments.output, lines_json(list, scene.model));
-    for (const auto& file : arguments.curves.files())
-        write_text_file(file,
-                        curve_file(line_curves(list), file, load_options(arguments.scene), job));
+    write_curves(arguments, scene, list, job);
     if (!arguments.csv.empty()) write_text_file(arguments.csv, lines_csv(list, scene.model));
     if (!arguments.crossings.empty()) write_text_file(arguments.crossings, crossings_csv(list));
     if (!arguments.inflections.empty())
@@ -163,8 +180,10 @@ void add_lines(CLI::App& app, Session& session) {
     command.add_option("--inflections", arguments->inflections,
                        "CSV file of the places where lines turn over to write as well");
     arguments->curves.add_to(command,
-                             "STEP or IGES file of the lines as B-splines to write as "
-                             "well; may repeat");
+                             "STEP or IGES file of the lines as B-splines, or .vtp of "
+                             "polylines, to write as well; may repeat");
+    command.add_flag("--contours", arguments->contours,
+                     "contours of the views, hidden ones too, among the --curves");
     command.add_option("--picture", arguments->picture,
                        "PNG file of the stripes, lines and crossings to write as well");
     command.add_option("--rows", arguments->rows, "worst crossings to print")

@@ -1,5 +1,7 @@
 #include "keiko/report/content/curve_sets.h"
 
+#include "keiko/report/content/contour_set.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -117,6 +119,39 @@ TEST(InspectionCurves, AreSectionsAndThenInflections) {
     EXPECT_EQ(set.curves[0].pieces[0].degree, 3);
     EXPECT_EQ(set.curves[1].name, "face 7: inflection, within 0.01 mm");
     EXPECT_EQ(set.curves[1].pieces[0].degree, 1);
+}
+
+TEST(InspectionCurves, HaveStretchesOfSeamsWithVerdictsButNoScraps) {
+    Inspection inspection;
+    MeasuredSeam seam;
+    seam.faces = "face 1 | face 2", seam.verdict = Verdict::fail;
+    std::vector<Vec3> course; // an arc of radius 100 in steps of 0.02 radians
+    for (int i = 0; i <= 32; ++i)
+        course.emplace_back(100 * std::cos(0.02 * i), 100 * std::sin(0.02 * i), 0);
+    seam.course = {course};
+    MeasuredSeam scrap = seam;
+    scrap.scrap = true;
+    inspection.seams = {scrap, seam};
+    const CurveSet set = inspection_curves(inspection, {}, 0.01);
+    ASSERT_EQ(set.curves.size(), 1u);
+    const NamedCurve& curve = set.curves[0];
+    // Twice the sagitta of a step: 100 (1 - cos 0.01) mm.
+    EXPECT_EQ(curve.name, "seam 2: fail, smooth, face 1 | face 2, within 0.01 mm");
+    ASSERT_TRUE(curve.color);
+    EXPECT_GT(curve.color->r, curve.color->g);
+    EXPECT_EQ(curve.pieces.at(0).degree, 3);
+}
+
+TEST(ContourSet, NamesViewAndFace) {
+    SurfaceModel model;
+    Face face;
+    face.id = 7;
+    model.faces.push_back(face);
+    model.instances.push_back({});
+    const ContourLine contour{.deviation = 0.01, .points = {{0, 0, 0}, {3, 4, 0}}};
+    const auto curves = contour_set(model, "front", {&contour, 1});
+    ASSERT_EQ(curves.size(), 1u);
+    EXPECT_EQ(curves[0].name, "contour: front, face 7, within 0.01 mm");
 }
 
 } // namespace

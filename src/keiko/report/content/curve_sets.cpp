@@ -1,6 +1,9 @@
 #include "keiko/report/content/curve_sets.h"
 
 #include "keiko/geometry/bezier/interpolation.h"
+#include "keiko/geometry/model/closest_point.h"
+#include "keiko/inspect/basics/placed_face.h"
+#include "keiko/report/content/contour_set.h"
 #include "keiko/report/content/verdict_color.h"
 
 #include <algorithm>
@@ -142,7 +145,41 @@ NamedCurve curve_of(const CombCurve& comb, double chord_error) {
     return fitted_curve((section ? "section " : "") + comb.name, runs.all(), chord_error);
 }
 
+/// mm, about how far a curve is from the chords of its points: a chord of two steps is four times
+/// as far as those of one.
+double chord_distance(const Run& run) {
+    double largest = 0;
+    for (std::size_t i = 1; i + 1 < run.size(); ++i)
+        largest = std::max(largest, segment_distance(run[i - 1], run[i + 1], run[i]) / 4);
+    return largest;
+}
+
+NamedCurve curve_of(const MeasuredSeam& seam, std::size_t number, bool is_accepted) {
+    Runs runs;
+    double chord_error = 0;
+    for (const Run& piece : seam.course) {
+        chord_error = std::max(chord_error, chord_distance(piece));
+        runs.add(piece, true);
+    }
+    const std::string verdict = is_accepted ? "accepted" : std::string(name_of(seam.verdict));
+    NamedCurve curve = fitted_curve("seam " + std::to_string(number) + ": " + verdict + ", " +
+                                        std::string(name_of(seam.kind)) + ", " + seam.faces,
+                                    runs.all(), chord_error);
+    curve.color = verdict_color(seam.verdict);
+    return curve;
+}
+
 } // namespace
+
+std::vector<NamedCurve> contour_set(const SurfaceModel& model, const std::string& view,
+                                    std::span<const ContourLine> contours) {
+    std::vector<NamedCurve> curves;
+    for (const ContourLine& contour : contours)
+        curves.push_back(fitted_curve(
+            "contour: " + view + ", " + placed_face_name(model, contour.instance, contour.face),
+            {contour.points}, contour.deviation));
+    return curves;
+}
 
 CurveSet line_curves(const LineList& list) {
     CurveSet set{list.rig};
@@ -162,6 +199,10 @@ CurveSet inspection_curves(const Inspection& inspection, std::span<const CombCur
         for (const InflectionCurve& inflection : face.inflections)
             set.curves.push_back(fitted_curve(face.name + ": inflection", {inflection.points},
                                               inflection.deviation));
+    for (std::size_t i = 0; i < inspection.seams.size(); ++i)
+        if (const MeasuredSeam& seam = inspection.seams[i]; !seam.scrap)
+            set.curves.push_back(
+                curve_of(seam, i + 1, is_accepted_seam(inspection, static_cast<std::uint32_t>(i))));
     std::erase_if(set.curves, [](const NamedCurve& curve) { return curve.pieces.empty(); });
     return set;
 }

@@ -19,8 +19,8 @@ namespace KEIKO_API keiko {
 /// name, and the colour of its verdict. The verdict is the worst of the crossings on it.
 CurveSet line_curves(const LineList& list);
 
-/// The sections and iso-curves, sampled to `chord_error` mm, and then the inflection curves of the
-/// faces of an inspection.
+/// The sections and iso-curves, sampled to `chord_error` mm, inflection curves of an inspection's
+/// faces, and its stretches of seams on their first side, each with its verdict; no scraps.
 CurveSet inspection_curves(const Inspection& inspection, std::span<const CombCurve> combs,
                            double chord_error);
 
