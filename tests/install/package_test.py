@@ -25,7 +25,8 @@ FILES = {
                   r"usr/share/doc/keiko/.*"),
     "python3-keiko": ([f"usr/lib/python3/dist-packages/keiko/{name}" for name in
                        ("__init__.py", "__init__.pyi", "py.typed", "pytest_plugin.py")],
-                      r"usr/lib/python3/dist-packages/keiko/_keiko\.cpython-\d+-\S+\.so"),
+                      r"usr/lib/python3/dist-packages/keiko(/_keiko\.cpython-\d+-\S+\.so|"
+                      r"-[\d.]+\.dist-info/(METADATA|INSTALLER))"),
 }
 
 
@@ -162,6 +163,14 @@ class Unpacked(Packages):
         said = output_of("/usr/bin/python3", "-B", "-c", script, SOURCE / "surfaces/seam-g0-gap.step",
                          env=self.environment())
         self.assertTrue(said.startswith(f"{self.root}/usr/lib/libkeiko.so."), said)
+
+    def test_pip_knows_the_module(self):
+        if "python3-keiko" not in self.packages:
+            self.skipTest("there is no python3-keiko")
+        script = ("import importlib.metadata as m, keiko; d = m.distribution('keiko'); "
+                  "print(d.version == keiko.__version__, d.read_text('INSTALLER').strip(), d.requires)")
+        said = output_of("/usr/bin/python3", "-B", "-c", script, env=self.environment())
+        self.assertEqual(said, "True debian ['numpy>=1.24']\n")
 
     def test_the_script_for_cad_systems_reads_what_fails(self):
         page = (SOURCE / "docs/install/cad-script.md").read_text(encoding="utf-8")
