@@ -22,12 +22,16 @@ TEST(SignedColor, PictureMarksWhatIsOutOfReachAndHasALegend) {
     Image values(3, 200, 1, 0.0F);
     *values.pixel(1, 0) = std::numeric_limits<float>::infinity();
     *values.pixel(2, 0) = std::numeric_limits<float>::quiet_NaN();
-    const Image picture = signed_color_picture(values, Image(3, 200, 1, 1.0F), {-0.5, 0.5}, "mm");
+    *values.pixel(2, 1) = std::numeric_limits<float>::quiet_NaN();
+    Image facing(3, 200, 1, 1.0F);
+    *facing.pixel(2, 1) = 0;
+    const Image picture = signed_color_picture(values, facing, {-0.5, 0.5}, "mm");
     EXPECT_GT(picture.width, values.width);
     EXPECT_EQ(picture.height, values.height);
     const float* far = picture.pixel(1, 0);
     EXPECT_EQ((std::array{far[0], far[1], far[2]}), (std::array{1.0F, 0.0F, 1.0F}));
-    EXPECT_LT(*picture.pixel(2, 0), 0.1F);
+    EXPECT_FLOAT_EQ(*picture.pixel(2, 0), 0.25F); // on the body
+    EXPECT_LT(*picture.pixel(2, 1), 0.1F);        // beside it
     EXPECT_GT(*picture.pixel(0, 0), 0.8F);
 }
 
