@@ -48,6 +48,7 @@ private:
     std::vector<FaultGroup> joined();
     void join_lines(DisjointSets& sets) const;
     void join_images(DisjointSets& sets);
+    bool are_twins(std::size_t i, std::size_t j, const MirrorPlane& mirror) const;
     FaultGroup group_of(std::vector<std::size_t> members) const;
     void sort(std::vector<FaultGroup>& groups) const;
     std::vector<FaultGroup> merged_by_glance(const std::vector<FaultGroup>& groups) const;
@@ -78,14 +79,24 @@ void Grouping::join_lines(DisjointSets& sets) const {
             sets.join(of_seams[a], of_seams[b]);
 }
 
+/// True for two stretches, or two openings, that are images of each other.
+bool Grouping::are_twins(std::size_t i, std::size_t j, const MirrorPlane& mirror) const {
+    const bool of_seam = units_[i].seam != no_index;
+    if (of_seam != (units_[j].seam != no_index)) return false;
+    if (of_seam) return are_images(seam(i), seam(j), mirror);
+    const Check &a = numbered_check(inspection_, units_[i].findings.front()),
+                &b = numbered_check(inspection_, units_[j].findings.front());
+    const double slack = 0.01 * std::max(a.opening_length, b.opening_length);
+    return slack > 0 && (mirror.image(a.worst.place) - b.worst.place).length() <= slack &&
+           std::abs(mirror.distance(a.worst.place)) > slack;
+}
+
 void Grouping::join_images(DisjointSets& sets) {
     const MirrorPlane mirror{1, (body_.lower.y + body_.upper.y) / 2};
     for (std::size_t j = 1; j < units_.size(); ++j) {
         check_stop();
         for (std::size_t i = 0; i < j; ++i) {
-            if (units_[i].seam == no_index || units_[j].seam == no_index ||
-                !are_mended_alike(units_[i], units_[j]) || !are_images(seam(i), seam(j), mirror))
-                continue;
+            if (!are_mended_alike(units_[i], units_[j]) || !are_twins(i, j, mirror)) continue;
             has_image_[i] = has_image_[j] = true;
             sets.join(i, j);
         }
@@ -106,7 +117,8 @@ std::vector<FaultGroup> Grouping::joined() {
 
 FaultGroup Grouping::group_of(std::vector<std::size_t> members) const {
     std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-        return units_[a].sight.is_worse_than(units_[b].sight);
+        const Sight &of_a = units_[a].sight, &of_b = units_[b].sight;
+        return of_a.tear > of_b.tear || (of_a.tear == of_b.tear && of_a.is_worse_than(of_b));
     });
     FaultGroup group;
     for (const std::size_t i : members) {

@@ -152,15 +152,18 @@ OuterSides::OuterSides(const SurfaceModel& model, const Inspection& inspection,
     const Skins skins(model, inspection);
     const std::map<FaceKey, double> skin = skins.largest();
     const Samples samples = skins.samples(skin);
-    if (samples.empty()) return;
-    const double side = bulging_side(samples);
-    if (side == 0 || 2 * seen_area(samples, side, eyes) < seen_area(samples, -side, eyes)) return;
+    double side = samples.empty() ? 0 : bulging_side(samples);
+    if (2 * seen_area(samples, side, eyes) < seen_area(samples, -side, eyes)) side = 0;
     for (const auto& [face, sign] : skin) faces_[face] = {sign * side, skins.of(face)};
 }
 
 Vec3 OuterSides::outward(const PlacedFace& face, const Vec3& normal) const {
     const auto found = faces_.find(key_of(face));
     return found == faces_.end() ? Vec3(0) : normal * found->second.side;
+}
+
+bool OuterSides::hold(const PlacedFace& face) const {
+    return faces_.count(key_of(face)) > 0;
 }
 
 Vec3 OuterSides::outward_near(const PlacedFace& face, const Vec3& place) const {

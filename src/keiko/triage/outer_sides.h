@@ -26,6 +26,8 @@ public:
     /// from the other side. Smaller skins have none.
     OuterSides(const SurfaceModel& model, const Inspection& inspection, const StandingEyes& eyes);
 
+    /// True for a face of the largest skin, even if that has no outer side.
+    bool hold(const PlacedFace& face) const;
     /// Unit, towards the outer side, of a face with the unit normal `normal` along its du x dv in
     /// the world; 0 without an outer side.
     Vec3 outward(const PlacedFace& face, const Vec3& normal) const;
@@ -34,7 +36,7 @@ public:
 
 private:
     struct SidedFace {
-        double side = 1; ///< 1 if du x dv points outwards, -1 if inwards
+        double side = 0; ///< 1 if du x dv points outwards, -1 if inwards; 0: no outer side
         std::vector<AreaSample> samples;
     };
     std::map<std::pair<std::uint32_t, std::uint32_t>, SidedFace> faces_; ///< by instance and face

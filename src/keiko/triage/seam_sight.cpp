@@ -5,6 +5,7 @@
 #include "keiko/inspect/seams/stretch_probes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace keiko {
@@ -13,9 +14,10 @@ namespace {
 /// mm: length that a finding at a single place counts as.
 constexpr double place_length = 10;
 
-/// Degrees that a gap beyond its limit counts as: the angle that is as many times over its own.
+/// Degrees that a gap beyond its limit counts as: the limit of angles, times the share by which the
+/// gap exceeds its own.
 double angle_of_gap(double gap, const CriteriaPreset& limits) {
-    return gap > limits.gap ? limits.angle * gap / limits.gap : 0;
+    return gap > limits.gap ? limits.angle * (gap / limits.gap - 1) : 0;
 }
 
 /// A place of a seam with what its class lets be a fault: the angle of a crease is its design.
@@ -32,20 +34,32 @@ SightPlace place_of(const SeamPoint& point, const BoundaryFrame& frame, double l
     return at;
 }
 
-/// True if a stretch goes on from a crease of its line, whose angle falls along it. What is left of
-/// the angle at its other end is the fault; that it falls is the design.
-bool ends_a_crease(const Inspection& inspection, const MeasuredSeam& seam) {
+/// The end of a stretch that goes on at its other end from a crease of its line. That the angle
+/// falls up to there is the design; what is left of it is the fault. nullopt for other stretches.
+std::optional<Vec3> end_of_crease(const Inspection& inspection, const MeasuredSeam& seam) {
     const std::array<Vec3, 2> ends{seam.course.front().front(), seam.course.back().back()};
-    return std::any_of(inspection.seams.begin(), inspection.seams.end(),
-                       [&](const MeasuredSeam& other) {
-                           if (other.line != seam.line || other.kind != SeamClass::crease)
-                               return false;
-                           for (const Vec3& end : ends)
-                               for (const Vec3& of_other :
-                                    {other.course.front().front(), other.course.back().back()})
-                                   if ((end - of_other).length() <= same_vertex) return true;
-                           return false;
-                       });
+    const auto meets_crease = [&](const Vec3& end) {
+        return std::any_of(
+            inspection.seams.begin(), inspection.seams.end(), [&](const MeasuredSeam& other) {
+                if (other.line != seam.line || other.kind != SeamClass::crease) return false;
+                const Vec3 &first = other.course.front().front(),
+                           &last = other.course.back().back();
+                return std::min((end - first).length(), (end - last).length()) <= same_vertex;
+            });
+    };
+    const bool first = meets_crease(ends[0]), last = meets_crease(ends[1]);
+    if (first == last) return std::nullopt;
+    return ends[first ? 1 : 0];
+}
+
+/// 1/mm: curvature of a seam's border along it over an interval, above 0 towards the normal.
+double curvature_along(const SeamProbe& probe, double from, double to, const Vec3& normal) {
+    const auto begin = probe.frame(from), end = probe.frame(to);
+    const double length = probe.run((from + to) / 2).length() * (to - from);
+    if (!begin || !end || !(length > 0)) return 0;
+    const Vec3 along = (begin->tangent + end->tangent).normalized();
+    const Vec3 turn = (end->normal - begin->normal) * std::copysign(1.0, normal.dot(begin->normal));
+    return -turn.dot(along) / length;
 }
 
 /// Degrees by which the normals of both flanks of a flaw differ, if it has the form of a cosine.
@@ -95,7 +109,7 @@ std::vector<SightPlace> FindingSights::places_of(std::uint32_t stretch,
     constexpr int least = 8, most = 64;
     const MeasuredSeam& seam = inspection_.seams[stretch];
     const CriteriaPreset& limits = limits_of(inspection_, seam);
-    const double most_angle = ends_a_crease(inspection_, seam) ? seam.smallest_angle : HUGE_VAL;
+    const auto crease_end = end_of_crease(inspection_, seam);
     const StretchProbes probes(borders, inspection_.seams, stretch, inspection_.pieces);
     const double count = std::clamp(seam.length / step, double(least), double(most));
     std::vector<SightPlace> places;
@@ -108,10 +122,15 @@ std::vector<SightPlace> FindingSights::places_of(std::uint32_t stretch,
             const double t = probe.begin() + (i + 0.5) * cell;
             const auto frame = probe.frame(t);
             if (!frame) continue;
-            places.push_back(place_of(probe.at(t), *frame, probe.run(t).length() * cell, seam));
-            places.back().angle = std::min(places.back().angle, most_angle);
-            places.back().gap_angle = angle_of_gap(places.back().gap, limits);
-            places.back().outward = sides_.outward(seam.side_a(), frame->normal);
+            SightPlace at = place_of(probe.at(t), *frame, probe.run(t).length() * cell, seam);
+            at.curvature_along = curvature_along(probe, t - cell / 2, t + cell / 2, at.normal);
+            at.gap_angle = angle_of_gap(at.gap, limits);
+            at.outward = sides_.outward(seam.side_a(), frame->normal);
+            if (crease_end)
+                at.angle = (at.place - *crease_end).length() <= place_length
+                               ? std::min(at.angle, seam.smallest_angle)
+                               : 0;
+            places.push_back(at);
         }
     }
     return places;
@@ -126,6 +145,12 @@ std::vector<Sight> FindingSights::of_stretches(std::span<const std::uint32_t> st
         sights[stretches[i]] = eyes_.sight(places_of(stretches[i], borders));
     });
     return sights;
+}
+
+bool FindingSights::is_fault(const Check& check) const {
+    if (!(check.opening_length > 0)) return true;
+    const MeasuredFace& face = inspection_.faces.at(check.face);
+    return sides_.hold({face.instance, face.face});
 }
 
 /// The normal is that of the surface where an eye sees the place; hidden places need none.

@@ -20,6 +20,9 @@ public:
     /// Sights of all measured stretches, by their indices; empty for those not in `stretches`.
     std::vector<Sight> of_stretches(std::span<const std::uint32_t> stretches,
                                     const Job& job = {}) const;
+    /// True unless the check is an opening beside the largest skin of the body: a hole of a wheel
+    /// or of a bracket is meant.
+    bool is_fault(const Check& check) const;
     /// Sight of the worst place of a check of a face or of lines, or of an opening.
     Sight of(const Check& check) const;
 

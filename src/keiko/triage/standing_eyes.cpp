@@ -27,6 +27,14 @@ struct Break {
     double offset = 0; ///< arc minutes: width of the tear that an eye is as sure of
 };
 
+/// Share of a change of width that is seen where the surface bends along the run: on a small fillet
+/// an eye cannot resolve the stripes that cross the run.
+double resolved_share(const SightPlace& at, double bulges, const LineOfSight& sight) {
+    constexpr double resolved = 1; // arc minutes
+    const double stripe = lamp_width * std::abs(image_size(bulges * at.curvature_along, sight));
+    return std::min(stripe / resolved, 1.0);
+}
+
 /// The break that an eye sees best. `length`: of the finding, as the eye sees it; a stripe that is
 /// wider shows no change on it.
 Break break_at(const SightPlace& at, const Vec3& eye, double length) {
@@ -37,8 +45,8 @@ Break break_at(const SightPlace& at, const Vec3& eye, double length) {
         std::max({break_of_gap(at.gap, sight), break_of_gap_angle(at.gap_angle),
                   break_of_angle(at.angle, a, sight), break_of_angle(at.angle, b, sight)});
     const double change = std::min(break_of_curvatures(a, b, sight), length);
-    if (tear * offsets_a_change >= change) return {tear, tear};
-    return {change, change / offsets_a_change};
+    const double seen = change / offsets_a_change * resolved_share(at, bulges, sight);
+    return tear >= seen ? Break{tear, tear} : Break{change, seen};
 }
 
 /// Arc minutes under which the eye sees the length of a place.
@@ -108,6 +116,7 @@ bool looks_from_outside(const SightPlace& at, const Vec3& eye) {
 void Sight::add(const Sight& other) {
     if (length == 0) place = other.place, spread = other.spread;
     length += other.length, visible += other.visible;
+    tear = std::max(tear, other.tear);
     for (std::size_t i = 0; i < weight.size(); ++i) {
         width[i] = std::max(width[i], other.width[i]);
         weight[i] += other.weight[i];
@@ -172,6 +181,7 @@ Sight StandingEyes::sight(std::span<const SightPlace> places) const {
         for (const SeenPlace& one : seen[v]) {
             sight.width[v] = std::max(sight.width[v], one.shown.width);
             sight.weight[v] += one.weight;
+            if (v + 1 < eyes_.size()) sight.tear = std::max(sight.tear, one.shown.offset);
         }
     }
     for (std::size_t i = 0; i < places.size(); ++i) {

@@ -29,6 +29,8 @@ struct Sight {
     double visible = 0; ///< mm of it that at least one view shows
     /// Arc minutes: the widest break of a reflection in each view.
     std::array<double, standing_views.size()> width{};
+    /// Arc minutes: the widest tear that an eye is as sure of as of a break, in any standing view.
+    double tear = 0;
     /// Square arc minutes: the width of the tear that an eye is as sure of as of the break,
     /// integrated over its visible length, of each view.
     std::array<double, standing_views.size()> weight{};
@@ -64,6 +66,8 @@ struct SightPlace {
     double angle = 0;       ///< degrees
     double curvature_a = 0; ///< 1/mm, across the run, on one side; above 0 towards the normal
     double curvature_b = 0; ///< 1/mm, on the other
+    /// 1/mm, along the run, above 0 towards the normal.
+    double curvature_along = 0;
 };
 
 /// The eyes of the standing views about a body.

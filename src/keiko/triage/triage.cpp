@@ -56,7 +56,11 @@ Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection&
     std::vector<FaultUnit> units = fault_units(inspection);
     if (units.empty()) return {};
     const StopScope scope(job);
-    add_sights(FindingSights(model, tracer, inspection, ground), inspection, units, job);
+    const FindingSights of_findings(model, tracer, inspection, ground);
+    std::erase_if(units, [&](const FaultUnit& unit) {
+        return !of_findings.is_fault(numbered_check(inspection, unit.findings.front()));
+    });
+    add_sights(of_findings, inspection, units, job);
     Triage triage;
     for (const FaultGroup& group : fault_groups(inspection, units, tracer.bounds()))
         (group.sight.is_hidden() ? triage.hidden : triage.items).push_back(item_of(group, units));

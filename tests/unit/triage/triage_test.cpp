@@ -148,8 +148,9 @@ TEST(Triage, CreasesCountByTheirGapAlone) {
     const Triaged found(builder);
     ASSERT_EQ(found.triage.items.size(), 1u);
     EXPECT_EQ(found.triage.items[0].mending, Mending::position);
-    // Five times the limit of 0.01 mm counts as five times that of 0.1 degrees.
-    EXPECT_NEAR(found.triage.items[0].width, break_of_angle(0.5, 0, {3000, 1}), 1e-6);
+    // The limit of 0.01 mm is exceeded by four times itself, which counts as four times 0.1
+    // degrees.
+    EXPECT_NEAR(found.triage.items[0].width, break_of_angle(0.4, 0, {3000, 1}), 1e-6);
 }
 
 TEST(Triage, AGapWithinItsLimitHasNoPartInTheOrder) {
@@ -381,6 +382,27 @@ TEST(Triage, AHoleIsAFaultThoughItIsNotJudged) {
     EXPECT_GT(item.weight, 100);
 }
 
+TEST(Triage, AHoleBesideTheSkinIsMeant) {
+    ModelBuilder builder;
+    holed_sheet(builder, {0, 0, 0});
+    bent_pair(builder, {1000, 0, 0}, 900, 0.5); // a larger skin
+    const Triaged found(builder);
+    EXPECT_EQ(found.inspection.looks.size(), 1u);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_EQ(found.triage.items[0].mending, Mending::tangent);
+}
+
+TEST(Triage, HolesThatAreImagesAreOneItem) {
+    ModelBuilder builder;
+    for (const double y : {-400.0, 192.0}) holed_sheet(builder, {0, y, 0});
+    builder.plane({0, -192, 0}, {210, 0, 0}, {0, 384, 0});
+    const Triaged found(builder);
+    EXPECT_EQ(found.inspection.looks.size(), 2u);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_TRUE(found.triage.items[0].mirrored);
+    EXPECT_EQ(found.triage.items[0].findings.size(), 2u);
+}
+
 TEST(Triage, WhatLiesInOneGlanceIsOneItem) {
     for (const auto& [apart, items] : {std::pair(35.0, 2u), {100.0, 3u}}) {
         ModelBuilder builder;
@@ -413,6 +435,40 @@ TEST(Triage, ATearIsSeenSoonerThanAChangeOfWidth) {
     EXPECT_EQ(first.mending, Mending::tangent);
     EXPECT_LT(first.width, 2 * second.width) << "arc minutes, of either break";
     EXPECT_GT(first.weight, 6 * second.weight);
+}
+
+/// A crease that falls from 20 degrees to 2.4 and ends there: the end of it is the fault.
+TEST(Triage, ACreaseThatDoesNotFadeOutCountsByWhatIsLeft) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {400, 0, 0}, {0, 100, 0});
+    const auto down = [](double degrees) { return 100 * std::tan(degrees_to_radians(degrees)); };
+    builder.patch(1, 1, {{0, 0, 0}, {0, -100, -down(20)}, {400, 0, 0}, {400, -100, -down(2.4)}});
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_NEAR(found.angle_of(found.triage.items[0]), 5, 0.01) << "where it is no crease any more";
+    EXPECT_NEAR(found.triage.items[0].width, 60 * 2 * 2.4, 3);
+    EXPECT_GT(found.triage.items[0].place.x, 385);
+}
+
+TEST(StandingEyes, DoNotResolveStripesAcrossASmallFillet) {
+    ModelBuilder builder;
+    builder.plane({-200, -200, 0}, {400, 0, 0}, {0, 400, 0});
+    const SurfaceModel model = builder.build();
+    const Tracer tracer(model);
+    const StandingEyes eyes(tracer);
+    SightPlace at;
+    at.place = {0, 0, 1}, at.normal = {0, 0, 1}, at.along = {1, 0, 0}, at.length = 1000;
+    at.curvature_a = -1 / 2000.0;
+    const Sight straight = eyes.sight(std::span(&at, 1));
+    at.curvature_along = -1 / 2000.0;
+    EXPECT_EQ(eyes.sight(std::span(&at, 1)).tear, straight.tear) << "stripes of several minutes";
+    at.curvature_along = -1 / 20.0;
+    const Sight fillet = eyes.sight(std::span(&at, 1));
+    EXPECT_EQ(fillet.width, straight.width) << "it changes as much, and is seen less";
+    EXPECT_LT(fillet.tear, 0.5 * straight.tear);
+    EXPECT_GT(fillet.tear, 0);
+    at.angle = 1;
+    EXPECT_GT(eyes.sight(std::span(&at, 1)).tear, straight.tear) << "a tear is seen all the same";
 }
 
 TEST(Triage, OfABodyWithoutFindingsIsEmpty) {

@@ -32,6 +32,12 @@ std::string_view effect_of(Mending mending) {
     return "";
 }
 
+/// ", 96 % of it visible"; empty where all is.
+std::string visible_text(double share) {
+    const std::string percent = fixed_number(100 * share, 0);
+    return percent == "100" ? "" : ", " + percent + " % of it visible";
+}
+
 /// "tangent · tears a stripe by up to 2.8′ (arc minutes), seen from left · 271.5 mm on 3 seams, 96
 /// % of it visible · on both sides · weight 12".
 std::string sight_text(const TriageItem& item) {
@@ -44,7 +50,7 @@ std::string sight_text(const TriageItem& item) {
     if (!item.seams.empty())
         text += " · " + fixed_number(item.length, 1) + " mm on " +
                 std::to_string(item.seams.size()) + (item.seams.size() == 1 ? " seam" : " seams") +
-                ", " + fixed_number(100 * item.visible, 0) + " % of it visible";
+                visible_text(item.visible);
     if (item.mirrored) text += " · on both sides";
     return text + " · weight " + fixed_number(item.weight, item.weight < coarse ? 1 : 0);
 }
@@ -120,8 +126,8 @@ std::string html_first_screen(const Report& report) {
                              "an eye sees of them from the standing views: how far the reflection "
                              "of a lamp breaks, over the visible length; the weight is both, in "
                              "square arc minutes. A change of a stripe's width counts a sixth of a "
-                             "tear. A gap counts as the angle that is as many times over its "
-                             "limit, and a hole too.</p>"
+                             "tear. A gap counts as the angle that is as far over its limit, and "
+                             "a hole too.</p>"
                            : "<section><h2>Worst stretches of seams</h2>";
     html += "<div class=\"worst\">\n";
     for (std::size_t i = 0; i < items.size(); ++i) {
