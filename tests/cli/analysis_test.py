@@ -247,6 +247,12 @@ class Errors(AnalysisTest):
             self.assertIn("none.json", run.stderr)
         self.assertEqual(self.content(), ["a.json", "bad.json", "rig.toml"])
 
+    def test_a_body_that_is_hidden_as_a_whole_is_refused(self):
+        names = "wing-left", "dome", "wing-right"
+        self.save(analysis(hidden=[{"face": number, "name": name} for number, name in enumerate(names, 1)]))
+        run = self.keiko("inspect", HOOD, "--analysis", "a.json", "-q")
+        self.assertEqual((run.returncode, run.stderr), (2, "keiko: --analysis: hides every face of the body\n"))
+
     def test_a_look_of_the_page_alone_cannot_be_rendered(self):
         value = analysis()
         value["views"][0]["look"] = "faces"

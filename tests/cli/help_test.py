@@ -19,7 +19,7 @@ class Help(KeikoTest):
 
     def test_every_help_holds_an_example_of_its_command(self):
         for command in self.commands():
-            self.assertRegex(self.succeed(command, "--help"), rf"\nExample: keiko {command} \S")
+            self.assertRegex(self.succeed(command, "--help"), rf"\nExamples?: keiko {command} \S")
 
     def test_every_option_is_explained(self):
         for command in self.commands():

@@ -182,6 +182,7 @@ class Mesh(KeikoTest):
         for arguments, reason in ((("-o", "a.stl"), "ends in none of .vtp, .ply and .glb"),
                                   (("-o", "a.vtp", "--field", "twist"), '"twist" is none of k1, k2, mean'),
                                   (("-o", "a.vtp", "--field", "deviation"), "--against: is missing"),
+                                  (("-o", "a.ply", "--field", "k1", "--field", "k1"), "--field: names a field twice"),
                                   (("-o", "a.vtp", "--deviation", "0"), "--deviation"),
                                   (("-o", "a.ply", "--field", "k1", "--scale", "1"), "--scale: '1' is not MIN:MAX")):
             run = self.keiko("mesh", "-q", surface("dome.bpt"), *arguments)

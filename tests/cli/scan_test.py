@@ -84,6 +84,15 @@ class Scan(KeikoTest):
         self.assertEqual(self.compare(scan, "--no-align", "--tolerance", "0.41")["verdict"], "pass")
         self.assertEqual(self.compare(scan, "--no-align")["verdict"], "not judged")
 
+    def test_a_share_that_is_just_reached_passes(self):
+        scan = self.scan("a.xyz", xyz([(100.5, 100.5, 0)] * 999 + [(100.5, 100.5, 5)]))
+        judged = self.compare(scan, "--no-align", "--tolerance", "1", "--least-share", "99.9")
+        self.assertEqual(judged["verdict"], "pass")
+
+    def test_a_byte_order_mark_is_no_heading(self):
+        scan = self.scan("a.xyz", b"\xef\xbb\xbf" + xyz(POINTS[:3]))
+        self.assertEqual(self.compare(scan, "--no-align")["points"]["all"], 3)
+
     def test_a_scan_that_was_moved_is_aligned(self):
         self.write("dome.bpt", (SOURCE / "surfaces" / "dome.bpt").read_text())
         self.succeed("info", "dome.bpt")
@@ -137,8 +146,12 @@ class Scan(KeikoTest):
                 ((self.scan("b.ply", ply()[:-1]),), "b.ply: is cut short: it ends before its last vertex"),
                 ((self.scan("c.xyz", b"1 2 3\n1 2 x\n"),), 'c.xyz:2: not a number: "x"'),
                 ((self.scan("d.asc", b"\n"),), "d.asc: holds no points"),
+                ((self.scan("e.asc", b"1,5;2,5;3,5\n"),), "e.asc:1: has ';' and ','"),
+                ((self.scan("f.stl", stl([(float("nan"),) * 3] * 60000)),), "f.stl:point 1: a coordinate must be"),
                 (("missing.ply",), "missing.ply: "),
                 ((good, "--rig", "auto"), "--rig: is not for scans"),
+                ((good, "--analysis", "a.json"), "--analysis: is not for scans"),
+                ((good, "--view", "top", "--json", "j.json"), "--view: needs -o"),
                 ((good, "--least-share", "90"), "--least-share: needs a --tolerance"),
                 ((good, "--scan-unit", "ell"), '--scan-unit: "ell" is no length unit'),
                 (("plate.bpt", "--no-align"), "--no-align: is for scans"),

@@ -209,8 +209,8 @@ void add_compare(CLI::App& app, Session& session) {
     arguments->scene.add_reading(command);
     command.footer(
         "Exit codes: 0 same within tolerance, 1 different, 2 error, 130 interrupted.\n"
-        "Examples: keiko compare fender-a.step fender-b.step -o out\n"
-        "          keiko compare fender.step fender-scan.stl --tolerance 0.2 -o out");
+        "Example: keiko compare fender-a.step fender-b.step -o out\n"
+        "Example: keiko compare fender.step fender-scan.stl --tolerance 0.2 -o out");
     session.add_command(command, [arguments, &command](const Job& job) {
         return compare(command, *arguments, job);
     });

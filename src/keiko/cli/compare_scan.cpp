@@ -44,7 +44,9 @@ CompareScanOptions options_of(const CLI::App& command, const SceneArguments& sce
         throw Error("", "--least-share", "needs a --tolerance that the points are held to");
     options.limits.least_share = arguments.least_share / 100;
     options.align = !arguments.stay, options.reach = arguments.reach;
-    if (arguments.output.empty() && arguments.views.empty()) return options;
+    if (arguments.output.empty() && !arguments.views.empty())
+        throw Error("", "--view", "needs -o, the page or folder of its pictures");
+    if (arguments.output.empty()) return options;
     require_view_names(arguments.views);
     const PictureSize size = scene.picture_size();
     options.views = ScanViewsOptions{arguments.views, size.width, size.height};
@@ -111,7 +113,8 @@ void require_options_of_kind(const CLI::App& command, bool is_scan) {
                                    "--samples",
                                    "--outline-tolerance",
                                    "--shadows",
-                                   "--outline-pixels"};
+                                   "--outline-pixels",
+                                   "--analysis"};
     const auto refuse = [&](const auto& names, const char* reason) {
         for (const char* name : names)
             if (command.count(name) > 0) throw Error("", name, reason);

@@ -153,7 +153,7 @@ OuterSides::OuterSides(const SurfaceModel& model, const Inspection& inspection,
     const std::map<FaceKey, double> skin = skins.largest();
     const Samples samples = skins.samples(skin);
     double side = samples.empty() ? 0 : bulging_side(samples);
-    if (2 * seen_area(samples, side, eyes) < seen_area(samples, -side, eyes)) side = 0;
+    if (side != 0 && 2 * seen_area(samples, side, eyes) < seen_area(samples, -side, eyes)) side = 0;
     for (const auto& [face, sign] : skin) faces_[face] = {sign * side, skins.of(face)};
 }
 

@@ -52,6 +52,15 @@ std::optional<Vec3> end_of_crease(const Inspection& inspection, const MeasuredSe
     return ends[first ? 1 : 0];
 }
 
+/// Leaves an angle, in degrees, to the places within `place_length` of an end, or to the nearest.
+void keep_angle_at(const Vec3& end, double angle, std::vector<SightPlace>& places) {
+    double reach = HUGE_VAL;
+    for (const SightPlace& at : places) reach = std::min(reach, (at.place - end).length());
+    reach = std::max(reach, place_length);
+    for (SightPlace& at : places)
+        at.angle = (at.place - end).length() <= reach ? std::min(at.angle, angle) : 0;
+}
+
 /// 1/mm: curvature of a seam's border along it over an interval, above 0 towards the normal.
 double curvature_along(const SeamProbe& probe, double from, double to, const Vec3& normal) {
     const auto begin = probe.frame(from), end = probe.frame(to);
@@ -126,13 +135,10 @@ std::vector<SightPlace> FindingSights::places_of(std::uint32_t stretch,
             at.curvature_along = curvature_along(probe, t - cell / 2, t + cell / 2, at.normal);
             at.gap_angle = angle_of_gap(at.gap, limits);
             at.outward = sides_.outward(seam.side_a(), frame->normal);
-            if (crease_end)
-                at.angle = (at.place - *crease_end).length() <= place_length
-                               ? std::min(at.angle, seam.smallest_angle)
-                               : 0;
             places.push_back(at);
         }
     }
+    if (crease_end) keep_angle_at(*crease_end, seam.smallest_angle, places);
     return places;
 }
 
@@ -157,7 +163,9 @@ bool FindingSights::is_fault(const Check& check) const {
 Sight FindingSights::of(const Check& check) const {
     if (check.opening_length > 0) {
         const SightPlace at = place_of_opening(inspection_, check, sides_);
-        return eyes_.sight(std::span(&at, 1));
+        Sight sight = eyes_.sight(std::span(&at, 1));
+        sight.spread = 0.4 * check.opening_length; // four fifths of it
+        return sight;
     }
     SightPlace at = place_of(inspection_, check);
     if (const auto hit = eyes_.seen(at.place)) {

@@ -25,6 +25,7 @@ LineOfSight line_of_sight(const SightPlace& at, const Vec3& eye) {
 struct Break {
     double width = 0;  ///< arc minutes, of the tear or of the change
     double offset = 0; ///< arc minutes: width of the tear that an eye is as sure of
+    bool torn = false; ///< it is a tear of a stripe, not a change of its width
 };
 
 /// Share of a change of width that is seen where the surface bends along the run: on a small fillet
@@ -46,7 +47,7 @@ Break break_at(const SightPlace& at, const Vec3& eye, double length) {
                   break_of_angle(at.angle, a, sight), break_of_angle(at.angle, b, sight)});
     const double change = std::min(break_of_curvatures(a, b, sight), length);
     const double seen = change / offsets_a_change * resolved_share(at, bulges, sight);
-    return tear >= seen ? Break{tear, tear} : Break{change, seen};
+    return tear >= seen ? Break{tear, tear, true} : Break{change, seen, false};
 }
 
 /// Arc minutes under which the eye sees the length of a place.
@@ -90,20 +91,23 @@ Vec3 middle_of_worst(std::span<const SightPlace> places, const std::vector<SeenP
     return places[worst[worst.size() / 2]].place;
 }
 
-/// mm: distance from `middle` within which four fifths of the weight lie.
+/// mm: distance from `middle` within which four fifths of the weight lie, or of the length if
+/// nothing has weight.
 double spread_about(const Vec3& middle, std::span<const SightPlace> places,
                     const std::vector<SeenPlace>& seen) {
     constexpr double share = 0.8;
+    const bool has_weight =
+        std::any_of(seen.begin(), seen.end(), [](const auto& one) { return one.weight > 0; });
     std::vector<std::pair<double, double>> by_distance;
     double all = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-        by_distance.emplace_back((places[i].place - middle).length(), seen[i].weight);
-        all += seen[i].weight;
+        const double part = has_weight ? seen[i].weight : places[i].length;
+        by_distance.emplace_back((places[i].place - middle).length(), part), all += part;
     }
     std::sort(by_distance.begin(), by_distance.end());
     double within = 0;
-    for (const auto& [distance, weight] : by_distance)
-        if ((within += weight) >= share * all) return distance;
+    for (const auto& [distance, part] : by_distance)
+        if ((within += part) >= share * all) return distance;
     return 0;
 }
 
@@ -114,11 +118,14 @@ bool looks_from_outside(const SightPlace& at, const Vec3& eye) {
 } // namespace
 
 void Sight::add(const Sight& other) {
-    if (length == 0) place = other.place, spread = other.spread;
+    if (length == 0)
+        place = other.place, spread = other.spread;
+    else
+        spread = std::max(spread, (other.place - place).length() + other.spread);
     length += other.length, visible += other.visible;
     tear = std::max(tear, other.tear);
     for (std::size_t i = 0; i < weight.size(); ++i) {
-        width[i] = std::max(width[i], other.width[i]);
+        if (other.width[i] > width[i]) width[i] = other.width[i], torn[i] = other.torn[i];
         weight[i] += other.weight[i];
     }
 }
@@ -132,7 +139,8 @@ std::size_t Sight::best_view() const {
 bool Sight::is_worse_than(const Sight& other) const {
     const auto rank = [](const Sight& sight) {
         const std::size_t view = sight.best_view();
-        return std::pair(view + 1 < sight.weight.size(), sight.weight[view]);
+        const double most = sight.weight[view];
+        return std::pair(most > 0 && view + 1 < sight.weight.size(), most);
     };
     return rank(*this) > rank(other);
 }
@@ -179,7 +187,8 @@ Sight StandingEyes::sight(std::span<const SightPlace> places) const {
     for (std::size_t v = 0; v < eyes_.size(); ++v) {
         seen.push_back(seen_from(eyes_[v], places, shows[v]));
         for (const SeenPlace& one : seen[v]) {
-            sight.width[v] = std::max(sight.width[v], one.shown.width);
+            if (one.shown.width > sight.width[v])
+                sight.width[v] = one.shown.width, sight.torn[v] = one.shown.torn;
             sight.weight[v] += one.weight;
             if (v + 1 < eyes_.size()) sight.tear = std::max(sight.tear, one.shown.offset);
         }

@@ -29,6 +29,8 @@ struct Sight {
     double visible = 0; ///< mm of it that at least one view shows
     /// Arc minutes: the widest break of a reflection in each view.
     std::array<double, standing_views.size()> width{};
+    /// Whether that tears a stripe; else it changes the stripe's width.
+    std::array<bool, standing_views.size()> torn{};
     /// Arc minutes: the widest tear that an eye is as sure of as of a break, in any standing view.
     double tear = 0;
     /// Square arc minutes: the width of the tear that an eye is as sure of as of the break,
@@ -36,11 +38,11 @@ struct Sight {
     std::array<double, standing_views.size()> weight{};
     /// World, mm: in the best view the middle of the places that are nearly as bad as the worst.
     Vec3 place{0};
-    /// mm: distance from `place` within which four fifths of the weight in the best view lie.
+    /// mm: distance from `place` within which four fifths of the weight in the best view lie, or of
+    /// the length if nothing has weight.
     double spread = 0;
 
-    /// Adds what is seen of another part of the same finding. Place and spread stay those of the
-    /// first.
+    /// Adds what is seen of another part of the same finding. The place stays that of the first.
     void add(const Sight& other);
     /// The standing view that shows most of it; "top" if none but that shows anything; the first
     /// if none does.
@@ -49,8 +51,8 @@ struct Sight {
     double visible_share() const { return length > 0 ? visible / length : 0; }
     /// True if at most a hundredth of the length is visible.
     bool is_hidden() const { return visible_share() <= 0.01; }
-    /// True if it has more weight in its best view. What is seen from the top alone weighs less
-    /// than all that a standing view shows.
+    /// True if it has more weight in its best view. What has weight from the top alone comes after
+    /// all that has some in a standing view.
     bool is_worse_than(const Sight& other) const;
 };
 

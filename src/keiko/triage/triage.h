@@ -15,15 +15,17 @@ namespace KEIKO_API keiko {
 struct TriageItem {
     Mending mending = Mending::layout; ///< what its worst finding asks for
     std::vector<std::size_t> findings; ///< for numbered_check(): the worst, then the others, rising
-    std::vector<std::uint32_t> seams;  ///< stretches that show it, the widest breaks first
-    std::uint32_t face = no_index;     ///< of the worst finding, if that is of a face
-    double length = 0;                 ///< mm, of all stretches
-    double visible = 0;                ///< share of the length that at least one view shows
+    std::vector<std::uint32_t>
+        seams; ///< stretches that show it, the widest breaks, as they count, first
+    std::uint32_t face = no_index; ///< of the worst finding, if that is of a face
+    double length = 0;             ///< mm, of all stretches
+    double visible = 0;            ///< share of the length that at least one view shows
     double width = 0;  ///< arc minutes: the widest break of a lamp's reflection in the view below
-    double weight = 0; ///< square arc minutes: that width over the length, in the view below
+    double weight = 0; ///< square arc minutes: breaks as they count, over the length, in that view
     std::string view;  ///< standing view that shows most of it
     bool mirrored = false; ///< it is on both sides of the body's middle plane
     Vec3 place{0};         ///< where it is seen best, on the first of its parts; world, mm
+    bool torn = false;     ///< the width is that of a tear; else a stripe's width changes by it
 };
 
 /// The findings of a body in the order in which they are to be mended.

@@ -1,45 +1,22 @@
 #include "keiko/workflow/close_ups.h"
 
-#include "keiko/base/job_steps.h"
 #include "keiko/base/units.h"
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
-#include "keiko/scene/view.h"
-#include "keiko/triage/standing_eyes.h"
 #include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/close_up_subjects.h"
 #include "keiko/workflow/curve_painter.h"
 #include "keiko/workflow/report_pictures.h"
-#include "keiko/workflow/seen_place.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
-#include <utility>
+#include <numbers>
 #include <variant>
 
 namespace keiko {
 namespace {
 
 constexpr int close_up_width = 360, close_up_height = 240;
-
-/// Cosine between a view's direction and the normal of a place, 0 to 1; 0 where it is hidden.
-double squareness(const Scene& scene, const Camera& camera, const Vec3& place) {
-    const auto hit = seen_place(scene, camera, place);
-    if (!hit) return 0;
-    return std::abs(hit->normal.dot((place - camera.eye).normalized()));
-}
-
-/// The camera that shows a place most squarely; nullopt if none does.
-std::optional<Camera> best_camera(const Scene& scene, std::span<const NamedView> views,
-                                  const Vec3& place) {
-    double best = 0;
-    const Camera* camera = nullptr;
-    for (const NamedView& view : views)
-        if (const double square = squareness(scene, view.camera, place); square > best)
-            best = square, camera = &view.camera;
-    return camera ? std::optional(*camera) : std::nullopt;
-}
 
 /// Camera at the same viewpoint, turned to the place and zoomed in.
 Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place) {
@@ -52,112 +29,6 @@ Camera close_up_camera(const Scene& scene, const Camera& view, const Vec3& place
     camera.vertical_fov = radians_to_degrees(2 * std::atan(height / (2 * distance)));
     camera.orthographic_height = height;
     return camera;
-}
-
-/// Subject of a close-up, and from where it is seen.
-struct Subject {
-    CloseUp::Of of;
-    std::uint32_t index;
-    Vec3 place;
-    Camera view;
-};
-
-/// The views by which faults are ordered.
-std::vector<NamedView> views_of_triage(const Scene& scene) {
-    const Framing framing{.ground = scene.ground()};
-    std::vector<NamedView> views;
-    for (const std::string_view name : standing_views)
-        views.push_back({std::string(name), frame_view(name, scene.tracer.bounds(), framing)});
-    return views;
-}
-
-/// Subjects that a view shows, each once, `most` at most.
-class Subjects {
-public:
-    Subjects(const Scene& scene, std::span<const NamedView> views, std::size_t most)
-        : scene_(scene), views_(views), others_(views_of_triage(scene)), most_(most) {}
-
-    /// True if the subject is a new one that is shown.
-    bool add(CloseUp::Of of, std::uint32_t index, const Vec3& place) {
-        const auto is_same = [&](const Subject& one) { return one.of == of && one.index == index; };
-        if (is_full() || std::any_of(all_.begin(), all_.end(), is_same)) return false;
-        auto camera = best_camera(scene_, views_, place);
-        if (!camera) camera = best_camera(scene_, others_, place);
-        if (camera) all_.push_back({of, index, place, *camera});
-        return camera.has_value();
-    }
-    bool is_full() const { return all_.size() >= most_; }
-    const std::vector<Subject>& all() const { return all_; }
-
-private:
-    const Scene& scene_;
-    std::span<const NamedView> views_;
-    std::vector<NamedView> others_; ///< for what those do not show
-    std::size_t most_;
-    std::vector<Subject> all_;
-};
-
-/// Something that may have a close-up.
-struct Candidate {
-    std::uint32_t index;
-    Vec3 place;
-};
-
-std::vector<Candidate> seam_candidates(const Report& report) {
-    const std::vector<MeasuredSeam>& seams = report.inspection.seams;
-    std::vector<Candidate> found;
-    for (const std::uint32_t seam : first_seams(report, seams.size()))
-        found.push_back({seam, worst_place(seams[seam])});
-    return found;
-}
-
-std::vector<Candidate> face_candidates(const Inspection& inspection) {
-    std::vector<Candidate> found;
-    for (const auto* checks : {&inspection.findings, &inspection.looks})
-        for (const Check& check : *checks)
-            if (check.face != no_index) found.push_back({check.face, check.worst.place});
-    return found;
-}
-
-std::vector<Candidate> crossing_candidates(const Report& report) {
-    std::vector<Candidate> found;
-    if (!report.lines) return found;
-    for (const CrossingPlace& place : ranked_crossings(*report.lines)) {
-        const LineCrossing& crossing = place.in(*report.lines);
-        if (*crossing.verdict == Verdict::pass) break;
-        found.push_back({static_cast<std::uint32_t>(found.size()), crossing.place});
-    }
-    return found;
-}
-
-void add_first_screen(const Report& report, Subjects& subjects) {
-    for (const ShownItem& item : shown_items(report)) {
-        if (item.face != no_index) subjects.add(CloseUp::Of::face, item.face, item.place);
-        if (item.seam == no_index) continue;
-        const Vec3 worst = worst_place(report.inspection.seams[item.seam]);
-        for (const Vec3& place : {item.place, worst})
-            if (subjects.add(CloseUp::Of::seam, item.seam, place)) break;
-    }
-}
-
-/// One of each kind in turn, until there are enough of them or no more.
-void add_others(const Report& report, Subjects& subjects) {
-    struct Kind {
-        CloseUp::Of of;
-        std::vector<Candidate> candidates;
-        std::size_t next = 0;
-        bool is_done() const { return next == candidates.size(); }
-    };
-    std::array<Kind, 3> kinds{{{CloseUp::Of::seam, seam_candidates(report)},
-                               {CloseUp::Of::face, face_candidates(report.inspection)},
-                               {CloseUp::Of::crossing, crossing_candidates(report)}}};
-    const auto is_done = [](const Kind& kind) { return kind.is_done(); };
-    while (!subjects.is_full() && !std::all_of(kinds.begin(), kinds.end(), is_done))
-        for (Kind& kind : kinds)
-            while (!kind.is_done()) {
-                const Candidate& one = kind.candidates[kind.next++];
-                if (subjects.add(kind.of, one.index, one.place)) break;
-            }
 }
 
 /// cd/m², of the brightest lamp of a plane; 0 without any.
@@ -191,30 +62,59 @@ bool shows_lamps(const Film& film, const LightRig& rig) {
     return !(brightest > 0) || (share > least && share < 1 - least);
 }
 
-/// A picture with a stretch as a row of dots, between which its reflection is seen.
-Image with_dots(Image picture, const Film& film, const Camera& camera, const MeasuredSeam& seam) {
+constexpr Rgb dot_color(1, 0.85, 0); ///< display values
+
+/// A stretch as a row of dots, between which its reflection is seen.
+void dot_seam(const MeasuredSeam& seam, const CurvePainter& painter, Overlay& overlay) {
     constexpr double step = 2; // pixels
-    const CurvePainter painter(film, camera);
-    Overlay overlay;
     for (const std::vector<Vec3>& piece : seam.course) {
         const std::vector<Vec2> drawn = painter.drawn(piece, step);
         for (std::size_t i = 1; i < drawn.size(); i += 4)
             overlay.lines.push_back(
-                {.points = {drawn[i - 1], drawn[i]}, .color = Rgb(1, 0.85, 0), .width = 2});
+                {.points = {drawn[i - 1], drawn[i]}, .color = dot_color, .width = 2});
     }
-    return with_overlay(std::move(picture), overlay);
+}
+
+/// A ring of dots about an opening, whose rim may be as dark as what lies behind it.
+void ring_opening(const Check& opening, const Camera& camera, Overlay& overlay) {
+    constexpr int dots = 32;
+    const Vec3 place = opening.worst.place;
+    const Vec3 beside = place + camera.axes().right * (0.6 * opening.opening_length);
+    const auto middle = project(camera, place), rim = project(camera, beside);
+    if (!middle || !rim) return;
+    const double radius = (*rim - *middle).length();
+    for (int i = 0; i < dots; ++i) {
+        const double from = 2 * std::numbers::pi * i / dots, to = from + 2 / radius;
+        const auto at = [&](double angle) {
+            return *middle + Vec2(std::cos(angle), std::sin(angle)) * radius;
+        };
+        overlay.lines.push_back({.points = {at(from), at(to)}, .color = dot_color, .width = 2});
+    }
+}
+
+/// The marks of a subject in its close-up.
+Overlay marks_of(const CloseUpSubject& subject, const Inspection& inspection, const Film& film,
+                 const Camera& camera) {
+    Overlay overlay;
+    if (subject.of == CloseUp::Of::seam)
+        dot_seam(inspection.seams[subject.index], CurvePainter(film, camera), overlay);
+    if (subject.of == CloseUp::Of::face)
+        for (const Check& look : inspection.looks)
+            if (look.opening_length > 0 && look.worst.place == subject.place)
+                ring_opening(look, camera, overlay);
+    return overlay;
 }
 
 /// The stripes of the lamps, or zebra where the place mirrors none.
-Image picture_of(const Scene& scene, const LightRig& rig, const Camera& camera,
-                 PictureOptions options, const MeasuredSeam* seam, const Job& job) {
+Image picture_of(const LightRig& rig, const Film& film, const Camera& camera) {
+    return shows_lamps(film, rig) ? tone_mapped(film)
+                                  : analysis_picture(AnalysisMode::zebra, film, camera, rig);
+}
+
+PictureOptions with_close_up_layers(PictureOptions options) {
     options.aovs = look_layers(AnalysisMode::zebra);
     options.aovs.push_back(Aov::depth);
-    const Film film = render_to_show(scene, rig, camera, options, job);
-    Image picture = shows_lamps(film, rig)
-                        ? tone_mapped(film)
-                        : analysis_picture(AnalysisMode::zebra, film, camera, rig);
-    return seam ? with_dots(std::move(picture), film, camera, *seam) : picture;
+    return options;
 }
 
 } // namespace
@@ -222,17 +122,16 @@ Image picture_of(const Scene& scene, const LightRig& rig, const Camera& camera,
 std::vector<CloseUp> close_ups(const Scene& scene, const LightRig& rig, const Report& report,
                                std::span<const NamedView> views, const PictureOptions& options,
                                std::size_t most, const Job& job) {
-    Subjects subjects(scene, views, most);
-    add_first_screen(report, subjects);
-    add_others(report, subjects);
+    const PictureOptions with_layers = with_close_up_layers(options);
     std::vector<CloseUp> pictures;
-    for (const Subject& subject : subjects.all()) {
+    for (const CloseUpSubject& subject : close_up_subjects(scene, report, views, most)) {
         const Camera camera = close_up_camera(scene, subject.view, subject.place);
         const std::string title = "close-up-" + std::to_string(pictures.size() + 1);
-        const MeasuredSeam* seam =
-            subject.of == CloseUp::Of::seam ? &report.inspection.seams[subject.index] : nullptr;
-        const Image picture = picture_of(scene, rig, camera, options, seam, job);
-        pictures.push_back({subject.of, subject.index, report_picture(title, picture, {})});
+        const Film film = render_to_show(scene, rig, camera, with_layers, job);
+        const Overlay marks = marks_of(subject, report.inspection, film, camera);
+        const Image picture = with_overlay(picture_of(rig, film, camera), marks);
+        pictures.push_back(
+            {subject.of, subject.index, report_picture(title, picture, {}), subject.place});
     }
     return pictures;
 }

@@ -1,5 +1,6 @@
 #include "keiko/workflow/open_scene.h"
 
+#include "keiko/base/error.h"
 #include "keiko/base/job_steps.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/geometry/model/surface_model.h"
@@ -48,6 +49,8 @@ std::optional<GroundSpec> ground_of(const Scene& scene) {
 /// Takes the views, the lamps and the size of the pictures of an analysis.
 void take_analysis(Scene& scene, const Analysis& analysis, const Job& job) {
     scene.analysis = followed_analysis(analysis, scene.model, job);
+    if (scene.analysis->hidden().size() >= scene.model.faces.size())
+        throw FieldError("analysis", "hides every face of the body");
     if (analysis.rig) scene.rig = analysis.rig;
     if (analysis.views.empty()) return;
     const Camera& first = analysis.views.front().camera;

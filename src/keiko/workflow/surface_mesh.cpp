@@ -14,6 +14,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace keiko {
 namespace {
@@ -134,9 +135,9 @@ void require_options(const MeshOptions& options) {
         throw FieldError("deviation", "must be above 0 mm");
     if (!is_finite(options.pull) || options.pull == Vec3(0))
         throw FieldError("pull", "must be a direction");
-    const bool asked = std::find(options.fields.begin(), options.fields.end(),
-                                 SurfaceField::deviation) != options.fields.end();
-    if (asked && !options.against)
+    const std::set<SurfaceField> fields(options.fields.begin(), options.fields.end());
+    if (fields.size() < options.fields.size()) throw FieldError("field", "names a field twice");
+    if (fields.count(SurfaceField::deviation) > 0 && !options.against)
         throw FieldError("against",
                          "is missing: the body that the field deviation is measured from");
 }
@@ -162,7 +163,7 @@ SurfaceField surface_field_by_name(std::string_view name) {
         if (name_of(field) == name) return field;
         names.emplace_back(name_of(field));
     }
-    throw Error("", "field", in_quotes(name) + " is none of " + comma_list(names));
+    throw FieldError("field", in_quotes(name) + " is none of " + comma_list(names));
 }
 
 SurfaceMesh surface_mesh(const Scene& scene, const MeshOptions& options, const Job& job) {
@@ -181,6 +182,8 @@ SurfaceMesh surface_mesh(const Scene& scene, const MeshOptions& options, const J
         if (!faces[f].problem.empty())
             mesh.lost_faces.push_back(model.describe(model.faces[f]) + ": " + faces[f].problem);
     }
+    if (mesh.positions.empty())
+        throw Error(scene.model.source, "", "none of its faces can be divided into triangles");
     const Job to_evaluate = steps.next(evaluating);
     for (std::size_t f = 0; f < options.fields.size(); ++f)
         if (options.fields[f] == SurfaceField::deviation)

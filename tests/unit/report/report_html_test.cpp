@@ -1,6 +1,7 @@
 #include "keiko/base/units.h"
 #include "keiko/report/content/report.h"
 #include "keiko/report/content/triaged_faults.h"
+#include "keiko/triage/reflection_break.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/report/sample_report.h"
@@ -18,7 +19,7 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     Report with_faces = report();
     ReportPicture dent{"close-up-2", "", "close-up-2.png", "a dent", 360, 240, {}};
     with_faces.close_ups[0].picture.title = "close-up-1";
-    with_faces.close_ups.push_back({CloseUp::Of::face, 1, dent});
+    with_faces.close_ups.push_back({CloseUp::Of::face, 1, dent, {}});
     const std::string html = report_html(with_faces);
     EXPECT_NE(html.find("data-shot=\"close-up-1\""), std::string::npos);
     EXPECT_NE(html.find("data-shot=\"close-up-2\""), std::string::npos);
@@ -49,7 +50,9 @@ TEST(ReportHtml, AHoleStandsWithWhatLiesBesideIt) {
     TriageItem fault;
     fault.mending = Mending::position, fault.face = 0, fault.seams = {0};
     fault.findings = {holed.inspection.findings.size(), 0};
+    fault.width = lamp_width;
     const std::string screen = first_screen(holed, fault);
+    EXPECT_NE(screen.find("counts as a whole stripe torn away"), std::string::npos);
     const auto name = screen.find("face 8 | face 9"), message = screen.find("a hole of 13 mm");
     const auto also = screen.find("also face");
     EXPECT_LT(name, message);
@@ -94,6 +97,7 @@ TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
                     3e4,
                     "standing-three-quarter-front-left",
                     true};
+    seen.torn = true;
     TriageItem hidden{Mending::position, {0}, {0}, no_index, 100, 0, 0, 0, "top", false};
     triaged.triage = {{seen}, {hidden}};
     const std::string html = report_html(triaged);

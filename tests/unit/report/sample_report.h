@@ -39,7 +39,7 @@ inline Report report() {
                           200,     100,        {{1, 50, 25}}};
     result.pictures.push_back(picture);
     picture.file_name = "seam-1.png", picture.markers.clear();
-    result.close_ups.push_back({CloseUp::Of::seam, 0, picture});
+    result.close_ups.push_back({CloseUp::Of::seam, 0, picture, {}});
     return result;
 }
 

@@ -126,9 +126,10 @@ void tell_motion(Alignment& found, const Vec3& centre) {
     found.shift = found.motion.point(centre) - centre;
 }
 
-/// Points at equal steps through all of them, about `most`.
+/// Points at equal steps through all of them, `most` of them at most.
 SampleCloud cloud_of(std::span<const Vec3> points, std::size_t most) {
-    const std::size_t step = std::max<std::size_t>(1, points.size() / most);
+    const std::size_t step =
+        std::max<std::size_t>(1, (points.size() + most - 1) / std::max<std::size_t>(most, 1));
     SampleCloud cloud;
     for (std::size_t i = 0; i < points.size(); i += step) {
         SurfaceSample sample;

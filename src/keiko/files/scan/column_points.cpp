@@ -22,11 +22,16 @@ bool is_heading(std::string_view line) {
 
 std::vector<Vec3> column_points(std::string_view bytes, const std::string& file) {
     std::vector<Vec3> points;
+    constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+    if (bytes.starts_with(byte_order_mark)) bytes.remove_prefix(byte_order_mark.size());
     LineReader lines(bytes);
     int headings = 0;
     while (const auto whole = lines.next()) {
         std::string_view line = without_comment(*whole);
         if (line.find_first_not_of(blanks) == std::string_view::npos) continue;
+        if (line.find(';') != std::string_view::npos && line.find(',') != std::string_view::npos)
+            throw Error(file, std::to_string(lines.number()),
+                        "has ';' and ',': numbers with a decimal comma are not read");
         if (points.empty() && headings < 2 && is_heading(line)) {
             ++headings;
             continue;

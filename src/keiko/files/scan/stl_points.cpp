@@ -17,8 +17,10 @@ constexpr std::size_t header_size = 84, triangle_size = 50, normal_size = 12;
 /// Collects the corners of triangles, each place once: neighbours repeat them.
 class DistinctPoints {
 public:
+    /// Places that are no numbers stay apart: they equal nothing, and are refused by whoever reads.
     void add(const Vec3& point) {
-        if (seen_.insert(Place{point.x + 0.0, point.y + 0.0, point.z + 0.0}).second)
+        if (!is_finite(point) ||
+            seen_.insert(Place{point.x + 0.0, point.y + 0.0, point.z + 0.0}).second)
             points_.push_back(point);
     }
     std::vector<Vec3> take() { return std::move(points_); }

@@ -44,6 +44,7 @@ struct CloseUp {
     /// Index into Inspection::seams or faces, or into ranked_crossings.
     std::uint32_t index = 0;
     ReportPicture picture; ///< the close-up itself
+    Vec3 place{0};         ///< in its middle; world, mm
 };
 
 /// Share of the surface that the lamps' reflections reach.

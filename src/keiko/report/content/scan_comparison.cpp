@@ -7,7 +7,8 @@ namespace keiko {
 
 std::optional<bool> ScanComparison::passes() const {
     if (!limits.tolerance) return std::nullopt;
-    return deviation.within && *deviation.within >= limits.least_share;
+    constexpr double rounding = 1e-12; // of both shares
+    return deviation.within && *deviation.within >= limits.least_share * (1 - rounding);
 }
 
 std::string verdict_of(const ScanComparison& c) {

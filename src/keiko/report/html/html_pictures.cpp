@@ -12,11 +12,15 @@ std::string marker(const PictureMarker& m, const ReportPicture& picture) {
            std::to_string(m.number) + "</span>";
 }
 
-const CloseUp* found(const Report& report, CloseUp::Of of, std::size_t index) {
-    const auto close_up =
-        std::find_if(report.close_ups.begin(), report.close_ups.end(),
-                     [&](const CloseUp& one) { return one.of == of && one.index == index; });
-    return close_up == report.close_ups.end() ? nullptr : &*close_up;
+/// The close-up of a finding nearest to a place; null without any.
+const CloseUp* found(const Report& report, CloseUp::Of of, std::size_t index,
+                     const Vec3& place = Vec3(0)) {
+    const CloseUp* nearest = nullptr;
+    for (const CloseUp& one : report.close_ups)
+        if (one.of == of && one.index == index &&
+            (!nearest || (one.place - place).length2() < (nearest->place - place).length2()))
+            nearest = &one;
+    return nearest;
 }
 
 std::string image(const CloseUp& close_up) {
@@ -67,8 +71,9 @@ std::string html_combs(const Report& report) {
     return html + "</section>\n";
 }
 
-std::string html_close_up(const Report& report, CloseUp::Of of, std::size_t index) {
-    const CloseUp* close_up = found(report, of, index);
+std::string html_close_up(const Report& report, CloseUp::Of of, std::size_t index,
+                          const Vec3& place) {
+    const CloseUp* close_up = found(report, of, index, place);
     return close_up ? image(*close_up) : "";
 }
 

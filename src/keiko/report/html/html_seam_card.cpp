@@ -180,7 +180,7 @@ std::string html_seam_card(const Report& report, std::size_t rank, const ShownIt
            curvature_measure(seam, shown) +
            slope_measure(seam, limits_of(report.inspection, seam)) + fading_measure(seam) +
            "</div>" + folded_profile_of(report, index) + "</div>" +
-           html_close_up(report, CloseUp::Of::seam, index) + "</div>\n";
+           html_close_up(report, CloseUp::Of::seam, index, item.place) + "</div>\n";
 }
 
 } // namespace keiko

@@ -28,8 +28,9 @@ std::string html_figure(const ReportPicture& picture);
 std::string html_form(const Report& report);
 /// Sections and iso-curves with their combs.
 std::string html_combs(const Report& report);
-/// The picture of the close-up of a finding.
-std::string html_close_up(const Report& report, CloseUp::Of of, std::size_t index);
+/// The picture of the close-up of a finding, of several of its face the one nearest to `place`.
+std::string html_close_up(const Report& report, CloseUp::Of of, std::size_t index,
+                          const Vec3& place);
 /// The attributes by which a table's row opens the close-up of its finding.
 std::string html_opens_close_up(const Report& report, CloseUp::Of of, std::size_t index);
 /// The close-ups that no other part shows, for rows to open, and the window in which they open.

@@ -1,5 +1,6 @@
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
+#include "keiko/triage/reflection_break.h"
 
 #include <algorithm>
 #include <map>
@@ -18,18 +19,15 @@ std::string words_of_view(const std::string& view) {
     return is_between ? "three-quarter " + words : words;
 }
 
-/// The effect of a fault on the stripe of a lamp.
-std::string_view effect_of(Mending mending) {
-    switch (mending) {
-        case Mending::position:
-            return "counts as a tear of a stripe by ";
-        case Mending::tangent:
-            return "tears a stripe by up to ";
-        case Mending::curvature:
-        case Mending::layout:
-            return "changes a stripe's width by up to ";
-    }
-    return "";
+/// The effect of a fault on the stripe of a lamp, with its width.
+std::string effect_of(const TriageItem& fault) {
+    constexpr double coarse = 10; // arc minutes
+    if (fault.mending == Mending::position && fault.width >= lamp_width)
+        return "counts as a whole stripe torn away";
+    const std::string width =
+        fixed_number(fault.width, fault.width < coarse ? 1 : 0) + "′ (arc minutes)";
+    if (fault.mending == Mending::position) return "counts as a tear of a stripe by " + width;
+    return (fault.torn ? "tears a stripe by up to " : "changes a stripe's width by up to ") + width;
 }
 
 /// ", 96 % of it visible"; empty where all is.
@@ -41,18 +39,16 @@ std::string visible_text(double share) {
 /// "tangent · tears a stripe by up to 2.8′ (arc minutes), seen from left · 271.5 mm on 3 seams, 96
 /// % of it visible · on both sides · weight 12".
 std::string sight_text(const TriageItem& item) {
-    constexpr double least_width = 0.05, coarse = 10; // arc minutes
+    constexpr double least_width = 0.05; // arc minutes
     std::string text(name_of(item.mending));
     if (item.width >= least_width)
-        text += " · " + std::string(effect_of(item.mending)) +
-                fixed_number(item.width, item.width < coarse ? 1 : 0) +
-                "′ (arc minutes), seen from " + words_of_view(item.view);
+        text += " · " + effect_of(item) + ", seen from " + words_of_view(item.view);
     if (!item.seams.empty())
         text += " · " + fixed_number(item.length, 1) + " mm on " +
                 std::to_string(item.seams.size()) + (item.seams.size() == 1 ? " seam" : " seams") +
                 visible_text(item.visible);
     if (item.mirrored) text += " · on both sides";
-    return text + " · weight " + fixed_number(item.weight, item.weight < coarse ? 1 : 0);
+    return text + " · weight " + fixed_number(item.weight, item.weight < 10 ? 1 : 0);
 }
 
 /// The other findings of a fault, one of each seam or face: "also face 47 | face 50: the angle
@@ -90,14 +86,19 @@ std::string card(const Report& report, std::size_t rank, const ShownItem& item,
            html_escaped(worst.faces) + "</div>" + sight_note(*item.fault) + "<div>" +
            html_escaped(worst.message) + "</div>" + also_note(*item.fault, whole) +
            "<div class=\"soft small\">at " + place_text(worst.worst.place) + "</div></div>" +
-           html_close_up(report, CloseUp::Of::face, item.face) + "</div>\n";
+           html_close_up(report, CloseUp::Of::face, item.face, item.place) + "</div>\n";
 }
 
-/// "Worth a look besides, not judged: 4 × KEIKO-TEE, 1 × KEIKO-DENT." Openings are faults.
-std::string looks_line(const Inspection& inspection) {
+/// "Worth a look besides, not judged: 4 × KEIKO-TEE, 1 × KEIKO-DENT." Those of faults are left out.
+std::string looks_line(const Report& report) {
+    std::set<std::size_t> of_faults;
+    for (const auto* faults : {&report.triage.items, &report.triage.hidden})
+        for (const TriageItem& fault : *faults)
+            of_faults.insert(fault.findings.begin(), fault.findings.end());
+    const Inspection whole = whole_inspection(report);
     std::map<std::string, std::size_t> counts;
-    for (const Check& look : inspection.looks)
-        if (!(look.opening_length > 0)) ++counts[look.code];
+    for (std::size_t i = 0; i < whole.looks.size(); ++i)
+        if (of_faults.count(whole.findings.size() + i) == 0) ++counts[whole.looks[i].code];
     if (counts.empty()) return "";
     std::string text;
     for (const auto& [code, count] : counts)
@@ -143,7 +144,7 @@ std::string html_first_screen(const Report& report) {
     if (faults > items.size())
         html += "<p class=\"soft\">" + std::to_string(faults - items.size()) +
                 " more stand among the findings below.</p>";
-    return html + looks_line(report.inspection) + "</section>\n";
+    return html + looks_line(report) + "</section>\n";
 }
 
 std::string html_hidden(const Report& report) {
