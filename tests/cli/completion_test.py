@@ -46,9 +46,14 @@ class Shell:
 
     def show(self, keys: str) -> str:
         """What the terminal shows after these keys, up to the end of the command line that they are on."""
-        # The mark is typed in two halves, so that the echo of the keys is none.
-        os.write(self.terminal, f"{keys}\necho EN''D\n".encode())
+        completed, tab, rest = keys.rpartition("\t")
+        os.write(self.terminal, (completed + tab).encode())
         shown, end = "", time.monotonic() + 30
+        # A shell that has further keys to read may list nothing.
+        while tab and (not shown or select.select([self.terminal], [], [], 0.3)[0]):
+            shown += os.read(self.terminal, 65536).decode(errors="replace")
+        # The mark is typed in two halves, so that the echo of the keys is none.
+        os.write(self.terminal, f"{rest}\necho EN''D\n".encode())
         while not re.search(r"(?m)^END\r?$", shown):
             if not select.select([self.terminal], [], [], max(0, end - time.monotonic()))[0]:
                 raise AssertionError(f"the shell does not answer: {shown!r}")

@@ -20,7 +20,8 @@ double angle_of_gap(double gap, const CriteriaPreset& limits) {
     return gap > limits.gap ? limits.angle * (gap / limits.gap - 1) : 0;
 }
 
-/// A place of a seam with what its class lets be a fault: the angle of a crease is its design.
+/// A place of a seam with what its class lets be a fault: the angle of a crease is its design. Nor
+/// do angles count that pass all along a stretch.
 SightPlace place_of(const SeamPoint& point, const BoundaryFrame& frame, double length,
                     const MeasuredSeam& seam) {
     // The side of the surface by which SeamProbe counts curvatures.
@@ -29,7 +30,7 @@ SightPlace place_of(const SeamPoint& point, const BoundaryFrame& frame, double l
     at.place = point.place, at.normal = same_side ? frame.normal : -frame.normal;
     at.along = frame.tangent, at.length = length, at.gap = point.gap;
     if (seam.kind != SeamClass::smooth || !point.angle) return at;
-    at.angle = *point.angle;
+    if (seam.angle && seam.angle->verdict != Verdict::pass) at.angle = *point.angle;
     at.curvature_a = point.curvature_a, at.curvature_b = point.curvature_b;
     return at;
 }

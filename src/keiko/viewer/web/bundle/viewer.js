@@ -2133,6 +2133,9 @@ function comparePanel(into, host, over) {
 
 // source/exact_picture.ts
 var rest = 300;
+async function bytesOf({ camera, planes, hidden }, signal) {
+  return (await ask("POST", "/still", requestText(camera, planes, hiddenText(hidden)), signal)).blob();
+}
 var ExactPicture = class {
   /** `tell` gets a line for the user, `fail` an error. */
   constructor(canvas, tell, fail) {
@@ -2154,21 +2157,30 @@ var ExactPicture = class {
     clearTimeout(this.timer);
     this.timer = window.setTimeout(() => void this.fetch(pictured), rest);
   }
-  /** The bytes of the picture, PNG. */
-  async file({ camera, planes, hidden }, signal) {
-    return (await ask("POST", "/still", requestText(camera, planes, hiddenText(hidden)), signal)).blob();
+  /** The bytes of the picture, PNG, for a file. They come even if the view goes on; the server has one such picture
+   * at work for a page, so the one for the view ends, and this one serves it too. */
+  async file(pictured) {
+    clearTimeout(this.timer);
+    this.running.abort();
+    const own = this.running = new AbortController();
+    const bytes2 = await bytesOf(pictured);
+    if (!own.signal.aborted) await this.show(bytes2, own.signal);
+    return bytes2;
   }
   async fetch(pictured) {
-    const own = this.running = new AbortController(), { canvas } = this;
+    const own = this.running = new AbortController();
     try {
-      const image = await createImageBitmap(await this.file(pictured, own.signal));
-      if (own.signal.aborted) return;
-      Object.assign(canvas, { width: image.width, height: image.height, hidden: false });
-      canvas.getContext("2d").drawImage(image, 0, 0);
-      this.tell("exact picture");
+      await this.show(await bytesOf(pictured, own.signal), own.signal);
     } catch (error) {
       if (!own.signal.aborted) this.fail(error);
     }
+  }
+  async show(bytes2, signal) {
+    const image = await createImageBitmap(bytes2), { canvas } = this;
+    if (signal.aborted) return;
+    Object.assign(canvas, { width: image.width, height: image.height, hidden: false });
+    canvas.getContext("2d").drawImage(image, 0, 0);
+    this.tell("exact picture");
   }
 };
 
@@ -3230,7 +3242,7 @@ var Viewer = class {
       this.tell("making the picture");
       const picture = isLamps ? await this.exact.file(this.pictured()) : await new Promise((use) => this.canvas.toBlob((blob) => use(blob)));
       savePicture(picture, this.facts, this.display(), this.eye);
-      this.tell("");
+      if (!isLamps) this.tell("");
     } catch (error) {
       this.fail(error);
     }

@@ -326,7 +326,7 @@ export class Viewer implements KeyHost, LampsHost, AnalysisHost {
       const picture = isLamps ? await this.exact.file(this.pictured())
         : await new Promise<Blob>((use) => this.canvas.toBlob((blob) => use(blob!)));
       savePicture(picture, this.facts, this.display(), this.eye);
-      this.tell("");
+      if (!isLamps) this.tell("");
     } catch (error) {
       this.fail(error);
     }
