@@ -48,13 +48,8 @@ public:
         : model_(model), face_(face), grid_(model, face) {}
 
     Corner at(const Vec2& uv) const {
-        const Box2 domain = grid_.domain();
-        const Vec2 within = domain.nearest(uv);
-        const std::uint32_t index = grid_.locate(within, domain.center() - within);
-        const Patch& patch = model_.patches[index];
-        const Vec2 own(std::clamp(patch.map_u.to_patch(within.x), 0.0, 1.0),
-                       std::clamp(patch.map_v.to_patch(within.y), 0.0, 1.0));
-        const SurfaceDerivatives s = evaluate(model_.patch(index), own, 2);
+        const auto [patch, own] = place_at(model_, grid_, uv);
+        const SurfaceDerivatives s = evaluate(model_.patch(patch), own, 2);
         Corner corner{s.position()};
         const auto normal = robust_normal(s, own);
         if (!normal) return corner;

@@ -91,4 +91,14 @@ int PatchGrid::lines_through(const Box2& box) const {
                             inside(breaks_v_, box.lower.y, box.upper.y));
 }
 
+PatchPlace place_at(const SurfaceModel& model, const PatchGrid& grid, const Vec2& parameters) {
+    const Box2 domain = grid.domain();
+    const Vec2 within = domain.nearest(parameters);
+    const std::uint32_t index = grid.locate(within, domain.center() - within);
+    const Patch& patch = model.patches[index];
+    return {index,
+            {std::clamp(patch.map_u.to_patch(within.x), 0.0, 1.0),
+             std::clamp(patch.map_v.to_patch(within.y), 0.0, 1.0)}};
+}
+
 } // namespace keiko

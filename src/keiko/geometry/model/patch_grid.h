@@ -35,4 +35,14 @@ private:
     std::vector<std::uint32_t> patches_; ///< u outer
 };
 
+/// A place of a patch.
+struct PatchPlace {
+    std::uint32_t patch = 0; ///< into SurfaceModel::patches
+    Vec2 uv{0};              ///< its own parameters, 0 to 1
+};
+
+/// The place of a face at face parameters; of those outside of its grid, the nearest of the grid.
+/// `grid`: of the face.
+PatchPlace place_at(const SurfaceModel& model, const PatchGrid& grid, const Vec2& parameters);
+
 } // namespace keiko

@@ -8,8 +8,6 @@
 #include <gp_Pnt.hxx>
 #include <gp_Vec.hxx>
 
-#include <algorithm>
-
 namespace keiko::cad {
 namespace {
 
@@ -27,11 +25,8 @@ ModelSurface::ModelSurface(const SurfaceModel& model, const Face& face)
     : model_(model), face_(face), grid_(model, face), domain_(grid_.domain()) {}
 
 SurfaceDerivatives ModelSurface::derivatives(const Vec2& uv, int order) const {
-    const Vec2 within = domain_.nearest(uv);
-    const std::uint32_t index = grid_.locate(within, domain_.center() - within);
+    const auto [index, own] = place_at(model_, grid_, uv);
     const Patch& patch = model_.patches[index];
-    const Vec2 own(std::clamp(patch.map_u.to_patch(within.x), 0.0, 1.0),
-                   std::clamp(patch.map_v.to_patch(within.y), 0.0, 1.0));
     SurfaceDerivatives s = evaluate(model_.patch(index), own, order);
     if (order == 0) return s;
     // The chain rule of u = map(t): d/dt = map' d/du.
