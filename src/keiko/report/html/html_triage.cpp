@@ -90,12 +90,11 @@ std::string card(const Report& report, std::size_t rank, const ShownItem& item,
 }
 
 /// "Worth a look besides, not judged: 4 × KEIKO-TEE, 1 × KEIKO-DENT." Those of faults are left out.
-std::string looks_line(const Report& report) {
+std::string looks_line(const Triage& triage, const Inspection& whole) {
     std::set<std::size_t> of_faults;
-    for (const auto* faults : {&report.triage.items, &report.triage.hidden})
+    for (const auto* faults : {&triage.items, &triage.hidden})
         for (const TriageItem& fault : *faults)
             of_faults.insert(fault.findings.begin(), fault.findings.end());
-    const Inspection whole = whole_inspection(report);
     std::map<std::string, std::size_t> counts;
     for (std::size_t i = 0; i < whole.looks.size(); ++i)
         if (of_faults.count(whole.findings.size() + i) == 0) ++counts[whole.looks[i].code];
@@ -144,7 +143,7 @@ std::string html_first_screen(const Report& report) {
     if (faults > items.size())
         html += "<p class=\"soft\">" + std::to_string(faults - items.size()) +
                 " more stand among the findings below.</p>";
-    return html + looks_line(report) + "</section>\n";
+    return html + looks_line(report.triage, whole) + "</section>\n";
 }
 
 std::string html_hidden(const Report& report) {

@@ -2,9 +2,9 @@
 #include "keiko/math/bounds.h"
 #include "keiko/report/content/surface_mesh.h"
 #include "keiko/report/markup/json_text.h"
+#include "keiko/report/mesh/raw_bytes.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
 
 namespace keiko {
@@ -14,13 +14,6 @@ namespace {
 constexpr std::uint32_t magic = 0x46546C67, version = 2, json_chunk = 0x4E4F534A,
                         binary_chunk = 0x004E4942;
 constexpr int float_type = 5126, index_type = 5125, corner_buffer = 34962, index_buffer = 34963;
-
-template <class Number>
-void append(std::string& bytes, Number number) {
-    char piece[sizeof number];
-    std::memcpy(piece, &number, sizeof number);
-    bytes.append(piece, sizeof number);
-}
 
 /// Millimetres and z upwards become metres and y upwards, about the middle of the body: floats are
 /// finest near 0.

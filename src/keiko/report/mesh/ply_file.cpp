@@ -1,18 +1,11 @@
 #include "keiko/report/content/surface_mesh.h"
+#include "keiko/report/mesh/raw_bytes.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 namespace keiko {
 namespace {
-
-template <class Number>
-void append(std::string& bytes, Number number) {
-    char piece[sizeof number];
-    std::memcpy(piece, &number, sizeof number);
-    bytes.append(piece, sizeof number);
-}
 
 std::string header(const SurfaceMesh& mesh) {
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment Keiko, mm\nelement vertex " +
