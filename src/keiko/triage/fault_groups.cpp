@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <tuple>
 #include <utility>
 
 namespace keiko {
@@ -19,19 +18,40 @@ bool are_mended_alike(const FaultUnit& a, const FaultUnit& b) {
     return (a.mending == Mending::position) == (b.mending == Mending::position);
 }
 
-/// True if two stretches are images of each other, within a share of their length.
+constexpr double image_share = 0.01; ///< of the length of two images: by which they may differ
+
+/// True if two places off a plane are images of each other at it, within `slack` mm.
+bool are_images(const Vec3& a, const Vec3& b, double slack, const MirrorPlane& mirror) {
+    return (mirror.image(a) - b).length() <= slack && std::abs(mirror.distance(a)) > slack;
+}
+
 bool are_images(const MeasuredSeam& a, const MeasuredSeam& b, const MirrorPlane& mirror) {
-    constexpr double share = 0.01;
-    const double slack = share * std::max(a.length, b.length);
-    return std::abs(a.length - b.length) <= slack &&
-           (mirror.image(a.middle) - b.middle).length() <= slack &&
-           std::abs(mirror.distance(a.middle)) > slack;
+    const double slack = image_share * std::max(a.length, b.length);
+    return std::abs(a.length - b.length) <= slack && are_images(a.middle, b.middle, slack, mirror);
+}
+
+/// False for checks that are of no opening.
+bool are_images(const Check& a, const Check& b, const MirrorPlane& mirror) {
+    const double slack = image_share * std::max(a.opening_length, b.opening_length);
+    return slack > 0 && are_images(a.worst.place, b.worst.place, slack, mirror);
+}
+
+/// mm: distance between the places of two faults, with the extent of either, up to which an eye
+/// sees them in one glance. It is 1 degree, half of the sharp part of its field, from 3.4 m, but at
+/// most a tenth of the body.
+double glance_of(const Box3& body) {
+    constexpr double most = 60, share = 0.1;
+    return std::min(most, share * body.size());
 }
 
 class Grouping {
 public:
     Grouping(const Inspection& inspection, const std::vector<FaultUnit>& units, const Box3& body)
-        : inspection_(inspection), units_(units), body_(body), has_image_(units.size()) {}
+        : inspection_(inspection),
+          units_(units),
+          mirror_{1, (body.lower.y + body.upper.y) / 2},
+          glance_(glance_of(body)),
+          has_image_(units.size()) {}
 
     std::vector<FaultGroup> groups() {
         std::vector<FaultGroup> groups = joined();
@@ -48,7 +68,7 @@ private:
     std::vector<FaultGroup> joined();
     void join_lines(DisjointSets& sets) const;
     void join_images(DisjointSets& sets);
-    bool are_twins(std::size_t i, std::size_t j, const MirrorPlane& mirror) const;
+    bool are_twins(std::size_t i, std::size_t j) const;
     FaultGroup group_of(std::vector<std::size_t> members) const;
     void sort(std::vector<FaultGroup>& groups) const;
     std::vector<FaultGroup> merged_by_glance(const std::vector<FaultGroup>& groups) const;
@@ -56,7 +76,8 @@ private:
 
     const Inspection& inspection_;
     const std::vector<FaultUnit>& units_;
-    Box3 body_;
+    MirrorPlane mirror_;          ///< the middle plane of the body across y
+    double glance_;               ///< mm
     std::vector<bool> has_image_; ///< of each unit
 };
 
@@ -73,30 +94,26 @@ void Grouping::join_lines(DisjointSets& sets) const {
         const auto [first, is_new] = first_of_line.try_emplace(std::pair(seam(i).line, is_gap), i);
         if (!is_new) sets.join(i, first->second);
     }
-    const LineReach reach{inspection_.join, glance_of(body_) / 4};
+    const LineReach reach{inspection_.join, glance_ / 4};
     for (const auto& [a, b] : continuations(stretches, reach))
         if (are_mended_alike(units_[of_seams[a]], units_[of_seams[b]]))
             sets.join(of_seams[a], of_seams[b]);
 }
 
 /// True for two stretches, or two openings, that are images of each other.
-bool Grouping::are_twins(std::size_t i, std::size_t j, const MirrorPlane& mirror) const {
+bool Grouping::are_twins(std::size_t i, std::size_t j) const {
     const bool of_seam = units_[i].seam != no_index;
     if (of_seam != (units_[j].seam != no_index)) return false;
-    if (of_seam) return are_images(seam(i), seam(j), mirror);
-    const Check &a = numbered_check(inspection_, units_[i].findings.front()),
-                &b = numbered_check(inspection_, units_[j].findings.front());
-    const double slack = 0.01 * std::max(a.opening_length, b.opening_length);
-    return slack > 0 && (mirror.image(a.worst.place) - b.worst.place).length() <= slack &&
-           std::abs(mirror.distance(a.worst.place)) > slack;
+    if (of_seam) return are_images(seam(i), seam(j), mirror_);
+    return are_images(numbered_check(inspection_, units_[i].findings.front()),
+                      numbered_check(inspection_, units_[j].findings.front()), mirror_);
 }
 
 void Grouping::join_images(DisjointSets& sets) {
-    const MirrorPlane mirror{1, (body_.lower.y + body_.upper.y) / 2};
     for (std::size_t j = 1; j < units_.size(); ++j) {
         check_stop();
         for (std::size_t i = 0; i < j; ++i) {
-            if (!are_mended_alike(units_[i], units_[j]) || !are_twins(i, j, mirror)) continue;
+            if (!are_mended_alike(units_[i], units_[j]) || !are_twins(i, j)) continue;
             has_image_[i] = has_image_[j] = true;
             sets.join(i, j);
         }
@@ -144,10 +161,9 @@ void Grouping::sort(std::vector<FaultGroup>& groups) const {
 
 /// True if each unit of a group is seen in one glance with a unit of a worse one.
 bool Grouping::is_in_glance(const FaultGroup& group, const FaultGroup& worse) const {
-    const double glance = glance_of(body_);
     const auto are_close = [&](std::size_t i, std::size_t j) {
         const Sight &a = units_[i].sight, &b = units_[j].sight;
-        return (a.place - b.place).length() + std::max(a.spread, b.spread) <= glance;
+        return (a.place - b.place).length() + std::max(a.spread, b.spread) <= glance_;
     };
     return std::all_of(group.units.begin(), group.units.end(), [&](std::size_t i) {
         return std::any_of(worse.units.begin(), worse.units.end(),
@@ -177,11 +193,6 @@ std::vector<FaultGroup> Grouping::merged_by_glance(const std::vector<FaultGroup>
 }
 
 } // namespace
-
-double glance_of(const Box3& body) {
-    constexpr double most = 60, share = 0.1;
-    return std::min(most, share * body.size());
-}
 
 std::vector<FaultGroup> fault_groups(const Inspection& inspection,
                                      const std::vector<FaultUnit>& units, const Box3& body) {

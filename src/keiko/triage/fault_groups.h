@@ -23,9 +23,4 @@ struct FaultGroup {
 std::vector<FaultGroup> fault_groups(const Inspection& inspection,
                                      const std::vector<FaultUnit>& units, const Box3& body);
 
-/// mm: distance between the places of two faults, with the extent of either, up to which an eye
-/// sees them in one glance. It is 1 degree, half of the sharp part of its field, from 3.4 m, but at
-/// most a tenth of the body.
-double glance_of(const Box3& body);
-
 } // namespace keiko
