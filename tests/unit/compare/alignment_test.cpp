@@ -3,24 +3,13 @@
 #include "keiko/base/units.h"
 
 #include "tests/support/model_builder.h"
+#include "tests/unit/compare/uneven_sheet.h"
 #include <gtest/gtest.h>
 
 namespace keiko {
 namespace {
 
 using test::ModelBuilder;
-
-/// A bulging sheet of 300 x 200 mm without any symmetry.
-SurfaceModel sheet() {
-    std::vector<Vec3> points;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            points.emplace_back(100 * i, 200.0 / 3 * j, 9 * i + 20 * (i % 3 != 0) + 7 * j * j);
-    points[5].z += 11;
-    ModelBuilder builder;
-    builder.patch(3, 3, points);
-    return builder.build();
-}
 
 SurfaceModel flat() {
     ModelBuilder builder;
@@ -47,13 +36,14 @@ double left_over(const SurfaceModel& model, const Affine& motion, const Job& job
 }
 
 TEST(Alignment, RecoversASmallMotionOfACopy) {
-    EXPECT_LT(left_over(sheet(), about_middle({1, 2, 3}, 0.7, {3, -2, 1.5})), 1e-6);
-    EXPECT_LT(left_over(sheet(), {}), 1e-6);
+    EXPECT_LT(left_over(test::uneven_sheet(), about_middle({1, 2, 3}, 0.7, {3, -2, 1.5})), 1e-6);
+    EXPECT_LT(left_over(test::uneven_sheet(), {}), 1e-6);
 }
 
 TEST(Alignment, RecoversALargeMotionOfACopy) {
-    EXPECT_LT(left_over(sheet(), about_middle({-1, 0.3, 0.2}, 100, {2000, -700, 90})), 1e-6);
-    EXPECT_LT(left_over(sheet(), about_middle({0, 0, 1}, 180, {0, 0, 500})), 1e-6);
+    EXPECT_LT(left_over(test::uneven_sheet(), about_middle({-1, 0.3, 0.2}, 100, {2000, -700, 90})),
+              1e-6);
+    EXPECT_LT(left_over(test::uneven_sheet(), about_middle({0, 0, 1}, 180, {0, 0, 500})), 1e-6);
 }
 
 TEST(Alignment, LetsBordersSettleWhatAPlaneLeavesFree) {
@@ -62,16 +52,18 @@ TEST(Alignment, LetsBordersSettleWhatAPlaneLeavesFree) {
 
 TEST(Alignment, TellsTheMotionInWords) {
     const Affine motion = about_middle({0, 0, 1}, 2, {5, 0, 0});
-    const Alignment found = align_bodies(ClosestPointQuery(placed_model(sheet(), motion)),
-                                         ClosestPointQuery(placed_model(sheet())));
+    const Alignment found =
+        align_bodies(ClosestPointQuery(placed_model(test::uneven_sheet(), motion)),
+                     ClosestPointQuery(placed_model(test::uneven_sheet())));
     EXPECT_NEAR(found.angle, 2, 1e-8);
     EXPECT_NEAR(found.axis.z, -1, 1e-9); // it turns back
     EXPECT_LT(found.residual, 1e-9);
 }
 
 TEST(Alignment, IsTheSameForAnyNumberOfThreads) {
-    const ClosestPointQuery moved(placed_model(sheet(), about_middle({1, 0, 0}, 3, {1, 2, 3})));
-    const ClosestPointQuery still(placed_model(sheet()));
+    const ClosestPointQuery moved(
+        placed_model(test::uneven_sheet(), about_middle({1, 0, 0}, 3, {1, 2, 3})));
+    const ClosestPointQuery still(placed_model(test::uneven_sheet()));
     EXPECT_EQ(align_bodies(moved, still, {}, {.threads = 1}).motion,
               align_bodies(moved, still, {}, {.threads = 3}).motion);
 }

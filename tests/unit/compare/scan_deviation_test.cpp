@@ -6,6 +6,7 @@
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/model_builder.h"
+#include "tests/unit/compare/uneven_sheet.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -147,18 +148,6 @@ TEST(ScanDeviation, IsTheSameForAnyNumberOfThreads) {
     }
 }
 
-/// A bulging sheet without any symmetry.
-SurfaceModel sheet() {
-    std::vector<Vec3> points;
-    for (int i = 0; i < 4; ++i)
-        for (int j = 0; j < 4; ++j)
-            points.emplace_back(100 * i, 200.0 / 3 * j, 9 * i + 20 * (i % 3 != 0) + 7 * j * j);
-    points[5].z += 11;
-    ModelBuilder builder;
-    builder.patch(3, 3, points);
-    return builder.build();
-}
-
 /// Points of the sheet, each `noise` mm off to one of its sides, every other one to the other.
 std::vector<Vec3> points_of_sheet(const ClosestPointQuery& query, double noise) {
     std::vector<Vec3> points;
@@ -171,7 +160,7 @@ std::vector<Vec3> points_of_sheet(const ClosestPointQuery& query, double noise) 
 }
 
 TEST(AlignPoints, BringsAScanBackOntoTheExactSurface) {
-    const ClosestPointQuery query = query_of(sheet());
+    const ClosestPointQuery query = query_of(test::uneven_sheet());
     const Vec3 middle(150, 100, 20);
     const Affine moved = Affine::translate(middle + Vec3(4, -3, 2)) *
                          Affine::rotate({1, 2, 3}, degrees_to_radians(2)) *
@@ -187,7 +176,7 @@ TEST(AlignPoints, BringsAScanBackOntoTheExactSurface) {
 }
 
 TEST(AlignPoints, StatesTheNoiseAsItsResidual) {
-    const ClosestPointQuery query = query_of(sheet());
+    const ClosestPointQuery query = query_of(test::uneven_sheet());
     const Alignment found =
         align_points(points_of_sheet(query, 0.05), query, {.samples = 1u << 20});
     EXPECT_TRUE(found.converged);
@@ -196,7 +185,7 @@ TEST(AlignPoints, StatesTheNoiseAsItsResidual) {
 }
 
 TEST(AlignPoints, DoesNotLosePointsThatLieBeyondTheBorders) {
-    const ClosestPointQuery query = query_of(sheet());
+    const ClosestPointQuery query = query_of(test::uneven_sheet());
     std::vector<Vec3> points = points_of_sheet(query, 0);
     for (int j = 0; j < 200; j += 10) points.emplace_back(-12, j, 5); // wider than the part
     const Alignment found = align_points(points, query, {.samples = 1u << 20});
