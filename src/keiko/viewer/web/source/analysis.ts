@@ -54,7 +54,7 @@ export const shownView = "shown";
 /** What is shown, for a file. */
 export interface Shown { camera: Camera; display: Display; hidden: number[]; sections: string[]; views: KeptView[]; notes: Note[] }
 
-// JSON quotes as TOML does, but for one control character.
+// JSON quotes as TOML does, except for one control character.
 const quoted = (text: string): string => JSON.stringify(text.replace(/\u007f/g, ""));
 
 function viewText({ name, look, camera }: KeptView): string {
