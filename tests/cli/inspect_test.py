@@ -62,9 +62,10 @@ class Inspect(KeikoTest):
 
     def test_every_file_that_the_report_names_is_there(self):
         report = self.inspect("seam-g0-gap.step")[1]
-        names = [p["file"] for key in ("pictures", "line_pictures", "curvature_pictures", "close_ups")
-                 for p in report[key]]
-        self.assertGreaterEqual(len(names), 2)
+        kinds = "standing_pictures", "pictures", "line_pictures", "curvature_pictures", "close_ups"
+        for kind in kinds:
+            self.assertGreaterEqual(len(report[kind]), 1, kind)
+        names = [p["file"] for kind in kinds for p in report[kind]]
         for name in names:
             png = (self.folder / "out" / name).read_bytes()
             self.assertEqual(png[:4], b"\x89PNG", name)
@@ -83,6 +84,14 @@ class Inspect(KeikoTest):
         first = faults["items"][0]
         self.assertEqual(first["message"], report["findings"][first["findings"][0] - 1]["message"])
         self.assertEqual(first["profile"]["seam"], first["seams"][0])
+
+    def test_standing_pictures_are_of_the_views_of_the_faults(self):
+        report = self.inspect("seam-g1-angle.step")[1]
+        items = report["triage"]["items"]
+        views = list(dict.fromkeys(item["view"] for item in items[:7]))
+        self.assertEqual([p["title"] for p in report["standing_pictures"]], views)
+        markers = [m["number"] for p in report["standing_pictures"] for m in p["markers"]]
+        self.assertEqual(set(markers), set(range(1, len(items) + 1)))
 
     def test_close_ups_are_as_many_as_requested(self):
         def close_ups(*options):

@@ -8,14 +8,22 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace keiko {
 namespace {
 
-/// Gaps are closed by other means than lines are rebuilt.
+/// Different means make different faults.
+enum class Means { close_gap, rebuild_line, change_design };
+
+Means means_of(const FaultUnit& unit) {
+    if (unit.mending == Mending::position) return Means::close_gap;
+    return unit.is_fine() ? Means::change_design : Means::rebuild_line;
+}
+
 bool are_mended_alike(const FaultUnit& a, const FaultUnit& b) {
-    return (a.mending == Mending::position) == (b.mending == Mending::position);
+    return means_of(a) == means_of(b);
 }
 
 constexpr double image_share = 0.01; ///< of the length of two images: by which they may differ
@@ -67,11 +75,13 @@ private:
     }
     std::vector<FaultGroup> joined();
     void join_lines(DisjointSets& sets) const;
+    void join_fine(DisjointSets& sets) const;
     void join_images(DisjointSets& sets);
     bool are_twins(std::size_t i, std::size_t j) const;
     FaultGroup group_of(std::vector<std::size_t> members) const;
     void sort(std::vector<FaultGroup>& groups) const;
     std::vector<FaultGroup> merged_by_glance(const std::vector<FaultGroup>& groups) const;
+    bool may_merge(const FaultGroup& group, const FaultGroup& worse) const;
     bool is_in_glance(const FaultGroup& group, const FaultGroup& worse) const;
 
     const Inspection& inspection_;
@@ -85,19 +95,29 @@ private:
 void Grouping::join_lines(DisjointSets& sets) const {
     std::vector<std::size_t> of_seams;
     std::vector<const MeasuredSeam*> stretches;
-    std::map<std::pair<std::uint32_t, bool>, std::size_t> first_of_line; // with gaps, and without
+    std::map<std::pair<std::uint32_t, Means>, std::size_t> first_of_line;
     for (std::size_t i = 0; i < units_.size(); ++i) {
         if (units_[i].seam == no_index) continue;
         of_seams.push_back(i);
         stretches.push_back(&seam(i));
-        const bool is_gap = units_[i].mending == Mending::position;
-        const auto [first, is_new] = first_of_line.try_emplace(std::pair(seam(i).line, is_gap), i);
+        const std::pair line(seam(i).line, means_of(units_[i]));
+        const auto [first, is_new] = first_of_line.try_emplace(line, i);
         if (!is_new) sets.join(i, first->second);
     }
     const LineReach reach{inspection_.join, glance_ / 4};
     for (const auto& [a, b] : continuations(stretches, reach))
         if (are_mended_alike(units_[of_seams[a]], units_[of_seams[b]]))
             sets.join(of_seams[a], of_seams[b]);
+}
+
+/// Jumps that are too fine for an eye are one fault, wherever they lie: they are of the design.
+void Grouping::join_fine(DisjointSets& sets) const {
+    std::optional<std::size_t> first;
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+        if (!units_[i].is_fine()) continue;
+        if (first) sets.join(i, *first);
+        first = i;
+    }
 }
 
 /// True for two stretches, or two openings, that are images of each other.
@@ -120,10 +140,11 @@ void Grouping::join_images(DisjointSets& sets) {
     }
 }
 
-/// Groups of stretches that are one line, or images of each other.
+/// Groups of stretches that are one line, too fine for an eye, or images of each other.
 std::vector<FaultGroup> Grouping::joined() {
     DisjointSets sets(units_.size());
     join_lines(sets);
+    join_fine(sets);
     join_images(sets);
     std::map<std::size_t, std::vector<std::size_t>> members;
     for (std::size_t i = 0; i < units_.size(); ++i) members[sets.root(i)].push_back(i);
@@ -135,6 +156,7 @@ std::vector<FaultGroup> Grouping::joined() {
 FaultGroup Grouping::group_of(std::vector<std::size_t> members) const {
     std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
         const Sight &of_a = units_[a].sight, &of_b = units_[b].sight;
+        if (units_[a].is_fine()) return of_a.is_worse_than(of_b);
         return of_a.tear > of_b.tear || (of_a.tear == of_b.tear && of_a.is_worse_than(of_b));
     });
     FaultGroup group;
@@ -159,11 +181,26 @@ void Grouping::sort(std::vector<FaultGroup>& groups) const {
     });
 }
 
-/// True if each unit of a group is seen in one glance with a unit of a worse one.
+/// True for a group that may belong to a worse one. What is too fine for an eye stands by itself,
+/// all over the body.
+bool Grouping::may_merge(const FaultGroup& group, const FaultGroup& worse) const {
+    const auto is_fine_group = [&](const FaultGroup& any) {
+        return units_[any.units.front()].is_fine();
+    };
+    return group.sight.is_hidden() == worse.sight.is_hidden() && !is_fine_group(group) &&
+           !is_fine_group(worse) && is_in_glance(group, worse);
+}
+
+/// True if each unit of a group is seen in one glance with a unit of a worse one. What is mended by
+/// other means has to touch it too.
 bool Grouping::is_in_glance(const FaultGroup& group, const FaultGroup& worse) const {
+    const bool alike = are_mended_alike(units_[group.units.front()], units_[worse.units.front()]);
     const auto are_close = [&](std::size_t i, std::size_t j) {
         const Sight &a = units_[i].sight, &b = units_[j].sight;
-        return (a.place - b.place).length() + std::max(a.spread, b.spread) <= glance_;
+        const double distance = (a.place - b.place).length();
+        const double touching = (a.spread + b.spread) / spread_share;
+        return distance + std::max(a.spread, b.spread) <= glance_ &&
+               (alike || distance <= touching);
     };
     return std::all_of(group.units.begin(), group.units.end(), [&](std::size_t i) {
         return std::any_of(worse.units.begin(), worse.units.end(),
@@ -181,9 +218,7 @@ std::vector<FaultGroup> Grouping::merged_by_glance(const std::vector<FaultGroup>
         check_stop();
         std::vector<std::size_t> members = groups[i].units;
         for (std::size_t j = i + 1; j < groups.size(); ++j) {
-            if (is_taken[j] || groups[j].sight.is_hidden() != groups[i].sight.is_hidden() ||
-                !is_in_glance(groups[j], groups[i]))
-                continue;
+            if (is_taken[j] || !may_merge(groups[j], groups[i])) continue;
             is_taken[j] = true;
             members.insert(members.end(), groups[j].units.begin(), groups[j].units.end());
         }

@@ -2,6 +2,7 @@
 
 #include "keiko/inspect/seams/course_distance.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -37,7 +38,9 @@ private:
         const auto [at, is_new] =
             known_.try_emplace(Key(check.seam, check.face, mending, line_over), units_.size());
         if (is_new) units_.push_back({check.seam, check.face, mending_of(check), {}, {}});
-        units_[at->second].findings.push_back(finding);
+        FaultUnit& unit = units_[at->second];
+        unit.mending = std::min(unit.mending, mending_of(check));
+        unit.findings.push_back(finding);
     }
     void add_line(std::size_t finding) {
         const Check& check = inspection_.findings[finding];
@@ -66,6 +69,11 @@ private:
 };
 
 } // namespace
+
+bool FaultUnit::is_fine() const {
+    return seam != no_index && mending == Mending::curvature && !sight.is_hidden() &&
+           !sight.is_resolved();
+}
 
 std::vector<FaultUnit> fault_units(const Inspection& inspection) {
     return UnitMaker(inspection).units();

@@ -15,9 +15,13 @@ namespace keiko {
 struct FaultUnit {
     std::uint32_t seam = no_index;     ///< stretch, into Inspection::seams
     std::uint32_t face = no_index;     ///< into Inspection::faces
-    Mending mending = Mending::layout; ///< that of its first finding
+    Mending mending = Mending::layout; ///< the first that its stretch or face needs
     std::vector<std::size_t> findings; ///< for numbered_check(), rising
     Sight sight;                       ///< empty at first
+
+    /// True for a jump of curvature whose change of stripes no eye resolves, as beside a fillet
+    /// that is tangent to its neighbours.
+    bool is_fine() const;
 };
 
 /// All findings of an inspection and its openings, each in one unit. Findings of lines belong to

@@ -7,7 +7,8 @@
 
 namespace KEIKO_API keiko {
 
-/// Kinds of mending, by the property of the surface that is at fault.
+/// Kinds of mending, by the property of the surface that is at fault, in the order in which they
+/// are done: borders that do not meet have no angle to close.
 enum class Mending {
     position,  ///< borders that do not meet
     tangent,   ///< a jump of the normal

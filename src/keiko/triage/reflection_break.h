@@ -2,6 +2,10 @@
 
 namespace keiko {
 
+/// Arc minutes: the finest detail that an eye resolves, by the definition of visual acuity 1.0
+/// (ISO 8596).
+constexpr double eye_resolution = 1;
+
 /// How an eye sees a place of a body.
 struct LineOfSight {
     double distance = 0; ///< mm, from the eye to the place

@@ -165,7 +165,7 @@ Sight FindingSights::of(const Check& check) const {
     if (check.opening_length > 0) {
         const SightPlace at = place_of_opening(inspection_, check, sides_);
         Sight sight = eyes_.sight(std::span(&at, 1));
-        sight.spread = 0.4 * check.opening_length; // four fifths of it
+        sight.spread = spread_share / 2 * check.opening_length;
         return sight;
     }
     SightPlace at = place_of(inspection_, check);

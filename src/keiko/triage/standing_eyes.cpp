@@ -31,9 +31,8 @@ struct Break {
 /// Share of a change of width that is seen where the surface bends along the run: on a small fillet
 /// an eye cannot resolve the stripes that cross the run.
 double resolved_share(const SightPlace& at, double bulges, const LineOfSight& sight) {
-    constexpr double resolved = 1; // arc minutes
     const double stripe = lamp_width * std::abs(image_size(bulges * at.curvature_along, sight));
-    return std::min(stripe / resolved, 1.0);
+    return std::min(stripe / eye_resolution, 1.0);
 }
 
 /// The break that an eye sees best. `length`: of the finding, as the eye sees it; a stripe that is
@@ -91,23 +90,22 @@ Vec3 middle_of_worst(std::span<const SightPlace> places, const std::vector<SeenP
     return places[worst[worst.size() / 2]].place;
 }
 
-/// mm: distance from `middle` within which four fifths of the weight lie, or of the length if
-/// nothing has weight.
+/// Sight::spread about a place.
 double spread_about(const Vec3& middle, std::span<const SightPlace> places,
                     const std::vector<SeenPlace>& seen) {
-    constexpr double share = 0.8;
     const bool has_weight =
         std::any_of(seen.begin(), seen.end(), [](const auto& one) { return one.weight > 0; });
     std::vector<std::pair<double, double>> by_distance;
     double all = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
         const double part = has_weight ? seen[i].weight : places[i].length;
-        by_distance.emplace_back((places[i].place - middle).length(), part), all += part;
+        const double end = (places[i].place - middle).length() + places[i].length / 2;
+        by_distance.emplace_back(end, part), all += part;
     }
     std::sort(by_distance.begin(), by_distance.end());
     double within = 0;
     for (const auto& [distance, part] : by_distance)
-        if ((within += part) >= share * all) return distance;
+        if ((within += part) >= spread_share * all) return distance;
     return 0;
 }
 
@@ -134,6 +132,12 @@ std::size_t Sight::best_view() const {
     const auto* most = std::max_element(weight.begin(), weight.end() - 1);
     if (*most == 0 && weight.back() > 0) most = weight.end() - 1;
     return static_cast<std::size_t>(most - weight.begin());
+}
+
+bool Sight::is_resolved() const {
+    for (std::size_t i = 0; i + 1 < width.size(); ++i)
+        if (width[i] >= eye_resolution || (torn[i] && width[i] > 0)) return true;
+    return false;
 }
 
 bool Sight::is_worse_than(const Sight& other) const {

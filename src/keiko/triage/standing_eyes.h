@@ -23,6 +23,9 @@ constexpr std::array<std::string_view, 9> standing_views{"standing-front",
                                                          "standing-three-quarter-rear-right",
                                                          "top"};
 
+/// Share of the weight of a finding, or of the length of one without weight, within Sight::spread.
+constexpr double spread_share = 0.8;
+
 /// A finding as the standing views show it.
 struct Sight {
     double length = 0;  ///< mm, of the finding
@@ -38,8 +41,7 @@ struct Sight {
     std::array<double, standing_views.size()> weight{};
     /// World, mm: in the best view the middle of the places that are nearly as bad as the worst.
     Vec3 place{0};
-    /// mm: distance from `place` within which four fifths of the weight in the best view lie, or of
-    /// the length if nothing has weight.
+    /// mm: distance from `place` within which `spread_share` of the weight in the best view lies.
     double spread = 0;
 
     /// Adds what is seen of another part of the same finding. The place stays that of the first.
@@ -51,6 +53,8 @@ struct Sight {
     double visible_share() const { return length > 0 ? visible / length : 0; }
     /// True if at most a hundredth of the length is visible.
     bool is_hidden() const { return visible_share() <= 0.01; }
+    /// True if a standing view shows a tear, or a change of a stripe's width that an eye resolves.
+    bool is_resolved() const;
     /// True if it has more weight in its best view. What has weight from the top alone comes after
     /// all that has some in a standing view.
     bool is_worse_than(const Sight& other) const;

@@ -44,7 +44,7 @@ TriageItem item_of(const FaultGroup& group, const std::vector<FaultUnit>& units)
     const std::size_t view = sight.best_view();
     item.view = standing_views[view];
     item.width = sight.width[view], item.weight = sight.weight[view];
-    item.torn = sight.torn[view];
+    item.torn = sight.torn[view], item.fine = first.is_fine();
     item.mirrored = group.mirrored;
     item.place = sight.place;
     return item;

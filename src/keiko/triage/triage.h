@@ -13,7 +13,7 @@ namespace KEIKO_API keiko {
 
 /// One fault of a body: findings that are mended together.
 struct TriageItem {
-    Mending mending = Mending::layout; ///< what its worst finding asks for
+    Mending mending = Mending::layout; ///< the first that its worst part needs
     std::vector<std::size_t> findings; ///< for numbered_check(): the worst, then the others, rising
     std::vector<std::uint32_t>
         seams; ///< stretches that show it, the widest breaks, as they count, first
@@ -26,6 +26,7 @@ struct TriageItem {
     bool mirrored = false; ///< it is on both sides of the body's middle plane
     Vec3 place{0};         ///< where it is seen best, on the first of its parts; world, mm
     bool torn = false;     ///< the width is that of a tear; else a stripe's width changes by it
+    bool fine = false;     ///< jumps of curvature whose changes of stripes no eye resolves
 };
 
 /// The findings of a body in the order in which they are to be mended.

@@ -1,16 +1,14 @@
 #include "keiko/workflow/close_ups.h"
 
 #include "keiko/base/units.h"
-#include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/close_up_subjects.h"
-#include "keiko/workflow/curve_painter.h"
+#include "keiko/workflow/picture_marks.h"
 #include "keiko/workflow/report_pictures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <variant>
 
 namespace keiko {
@@ -62,36 +60,6 @@ bool shows_lamps(const Film& film, const LightRig& rig) {
     return !(brightest > 0) || (share > least && share < 1 - least);
 }
 
-constexpr Rgb dot_color(1, 0.85, 0); ///< display values
-
-/// A stretch as a row of dots, between which its reflection is seen.
-void dot_seam(const MeasuredSeam& seam, const CurvePainter& painter, Overlay& overlay) {
-    constexpr double step = 2; // pixels
-    for (const std::vector<Vec3>& piece : seam.course) {
-        const std::vector<Vec2> drawn = painter.drawn(piece, step);
-        for (std::size_t i = 1; i < drawn.size(); i += 4)
-            overlay.lines.push_back(
-                {.points = {drawn[i - 1], drawn[i]}, .color = dot_color, .width = 2});
-    }
-}
-
-/// A ring of dots about an opening, whose rim may be as dark as what lies behind it.
-void ring_opening(const Check& opening, const Camera& camera, Overlay& overlay) {
-    constexpr int dots = 32;
-    const Vec3 place = opening.worst.place;
-    const Vec3 beside = place + camera.axes().right * (0.6 * opening.opening_length);
-    const auto middle = project(camera, place), rim = project(camera, beside);
-    if (!middle || !rim) return;
-    const double radius = (*rim - *middle).length();
-    for (int i = 0; i < dots; ++i) {
-        const double from = 2 * std::numbers::pi * i / dots, to = from + 2 / radius;
-        const auto at = [&](double angle) {
-            return *middle + Vec2(std::cos(angle), std::sin(angle)) * radius;
-        };
-        overlay.lines.push_back({.points = {at(from), at(to)}, .color = dot_color, .width = 2});
-    }
-}
-
 /// The marks of a subject in its close-up.
 Overlay marks_of(const CloseUpSubject& subject, const Inspection& inspection, const Film& film,
                  const Camera& camera) {
@@ -102,6 +70,7 @@ Overlay marks_of(const CloseUpSubject& subject, const Inspection& inspection, co
         for (const Check& look : inspection.looks)
             if (look.opening_length > 0 && look.worst.place == subject.place)
                 ring_opening(look, camera, overlay);
+    add_scale_bar(camera, subject.place, overlay);
     return overlay;
 }
 

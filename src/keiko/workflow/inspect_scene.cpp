@@ -102,7 +102,8 @@ PictureOptions without_aovs(PictureOptions options) {
 /// Shares of the time of an inspection, as on the concept car and the hood of `surfaces`.
 struct InspectWeights {
     static constexpr double choosing = 1.5, registering = 1, placing = 3, limiting = 0.5,
-                            picture = 2.5, lines = 3, triage = 1, combs = 1, close_ups = 3;
+                            picture = 2.5, lines = 3, triage = 1, standing = 1, combs = 1,
+                            close_ups = 3;
 };
 
 constexpr int automatic_views = 3;
@@ -131,7 +132,7 @@ double weight_of(const Scene& scene, const InspectOptions& options, const CombOp
     using W = InspectWeights;
     const double views = views_of(scene, options);
     return W::choosing + W::placing + W::limiting + parts_of(options).weight() +
-           (W::picture + W::lines) * views + W::triage + W::close_ups +
+           (W::picture + W::lines) * views + W::triage + W::standing + W::close_ups +
            (options.register_hits ? W::registering : 0) + (has_curves(combs) ? W::combs : 0);
 }
 
@@ -207,6 +208,8 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     add_lines(result.report, shown, result, options, views,
               steps.next_of_steps(InspectWeights::lines * static_cast<double>(views.size())));
     add_triage(result.report, scene, shown, result, views, steps.next(InspectWeights::triage, 2));
+    result.report.standing_pictures =
+        standing_pictures(shown, result.report, steps.next_of_steps(InspectWeights::standing));
     if (has_curves(combs)) {
         result.combs = combs_of(scene.model, combs, steps.next(InspectWeights::combs));
         result.report.combs = result.combs->pictures;

@@ -1,10 +1,13 @@
 #include "keiko/workflow/report_pictures.h"
 
+#include "keiko/base/job_steps.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/overlay.h"
 #include "keiko/film/tone_mapping.h"
+#include "keiko/scene/view.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/curve_painter.h"
+#include "keiko/workflow/picture_marks.h"
 #include "keiko/workflow/seen_place.h"
 
 #include <algorithm>
@@ -54,6 +57,26 @@ ReportPicture picture_of(const std::string& view, const std::string& kind, const
             .markers = {}};
 }
 
+/// The views of the shown faults, each once.
+std::vector<std::string> views_of(std::span<const ShownItem> items) {
+    std::vector<std::string> views;
+    for (const ShownItem& item : items)
+        if (item.fault && std::find(views.begin(), views.end(), item.fault->view) == views.end())
+            views.push_back(item.fault->view);
+    return views;
+}
+
+/// Dots on the seams of faults that an eye resolves.
+Overlay seam_dots(std::span<const ShownItem> items, const Inspection& inspection,
+                  const CurvePainter& painter) {
+    Overlay overlay;
+    for (const ShownItem& item : items)
+        if (item.fault && !item.fault->fine)
+            for (const std::uint32_t seam : item.fault->seams)
+                dot_seam(inspection.seams[seam], painter, overlay);
+    return overlay;
+}
+
 } // namespace
 
 std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownItem> items,
@@ -66,6 +89,27 @@ std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownI
         markers.push_back({static_cast<int>(i + 1), pixel.x, pixel.y});
     }
     return markers;
+}
+
+std::vector<ReportPicture> standing_pictures(const Scene& part, const Report& report,
+                                             const Job& job) {
+    const std::vector<ShownItem> items = shown_items(report);
+    const std::vector<std::string> names = views_of(items);
+    PictureOptions options{.aovs = look_layers(AnalysisMode::zebra), .max_depth = 0};
+    options.aovs.push_back(Aov::depth);
+    const Framing framing{.width = part.width, .height = part.height, .ground = part.ground()};
+    JobSteps steps(job, static_cast<double>(names.size()));
+    std::vector<ReportPicture> pictures;
+    for (const std::string& name : names) {
+        const Camera camera = frame_view(name, part.tracer.bounds(), framing);
+        const Film film = render_view(part, {}, camera, options, steps.next(1, 1, name));
+        const Image zebra = analysis_picture(AnalysisMode::zebra, film, camera, {});
+        const Overlay dots = seam_dots(items, report.inspection, CurvePainter(film, camera));
+        pictures.push_back(picture_of(name, "faults", with_overlay(zebra, dots)));
+        pictures.back().title = name;
+        pictures.back().markers = markers_in(part, items, camera);
+    }
+    return pictures;
 }
 
 ReportPicture report_picture(const std::string& title, const Image& display,

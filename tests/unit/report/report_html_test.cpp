@@ -1,6 +1,7 @@
 #include "keiko/base/units.h"
 #include "keiko/report/content/report.h"
 #include "keiko/report/content/triaged_faults.h"
+#include "keiko/report/html/fault_words.h"
 #include "keiko/triage/reflection_break.h"
 
 #include "tests/support/model_builder.h"
@@ -40,6 +41,49 @@ std::string first_screen(Report report, const TriageItem& fault) {
     return html.substr(first, html.find("</section>", first) - first);
 }
 
+TEST(ReportHtml, TheFirstScreenBeginsWithTheStandingViews) {
+    Report with_fault = report();
+    ReportPicture standing = with_fault.pictures[0];
+    standing.title = "standing-left, faults", standing.file_name = "standing-left-faults.png";
+    with_fault.standing_pictures.push_back(standing);
+    TriageItem fault;
+    fault.mending = Mending::curvature, fault.seams = {0}, fault.findings = {0}, fault.fine = true;
+    fault.width = 0.4;
+    fault.place = with_fault.inspection.facts.bounds.upper;
+    const std::string screen = first_screen(with_fault, fault);
+    const auto picture = screen.find("standing-left, faults"), card = screen.find("class=\"name\"");
+    ASSERT_NE(card, std::string::npos);
+    EXPECT_LT(picture, card);
+    EXPECT_NE(screen.find("Curvature jumps (G2), too fine for an eye · rear right, high · seam 1"),
+              std::string::npos);
+    EXPECT_NE(screen.find("at most 0.4′ (arc minutes), less than an eye resolves"),
+              std::string::npos);
+    EXPECT_EQ(report_files(with_fault).count("standing-left-faults.png"), 1u);
+    const auto json = nlohmann::json::parse(report_json(with_fault));
+    EXPECT_EQ(json["standing_pictures"][0]["markers"].size(), 1u);
+}
+
+TEST(FaultWords, PlacesAreThirdsOfTheBody) {
+    const Box3 body{Vec3(-300, -90, 0), Vec3(300, 0, 30)};
+    EXPECT_EQ(words_of_place({-250, -80, 2}, body), "front left, low");
+    EXPECT_EQ(words_of_place({0, -45, 15}, body), "middle");
+    EXPECT_EQ(words_of_place({250, -5, 29}, body), "rear right, high");
+    EXPECT_EQ(words_of_place({1, 1, 5}, {Vec3(1, 1, 5), Vec3(1, 1, 5)}), "middle");
+}
+
+TEST(FaultWords, TitlesNameTheContinuityThatBreaks) {
+    const Report any = report();
+    TriageItem fault;
+    fault.findings = {0}, fault.seams = {0};
+    for (const auto& [mending, title] : {std::pair(Mending::position, "Gap (G0)"),
+                                         {Mending::tangent, "Kink (G1)"},
+                                         {Mending::curvature, "Curvature jump (G2)"},
+                                         {Mending::layout, "Layout of patches"}}) {
+        fault.mending = mending;
+        EXPECT_EQ(fault_title(fault, any.inspection), title);
+    }
+}
+
 TEST(ReportHtml, AHoleStandsWithWhatLiesBesideIt) {
     Report holed = report();
     Check hole;
@@ -57,7 +101,8 @@ TEST(ReportHtml, AHoleStandsWithWhatLiesBesideIt) {
     const auto also = screen.find("also face");
     EXPECT_LT(name, message);
     EXPECT_LT(message, also);
-    EXPECT_NE(screen.find(": " + holed.inspection.findings[0].message, also), std::string::npos);
+    EXPECT_NE(screen.find(": gap of 0.04 mm", also), std::string::npos);
+    EXPECT_NE(screen.find("Hole · "), std::string::npos);
     EXPECT_EQ(screen.find("KEIKO-OPENING"), std::string::npos) << "not told again as a look";
     const auto json = nlohmann::json::parse(
         faults_json({{{fault}, {}}, {}}, holed.inspection, "9.9"))["items"][0];
@@ -105,7 +150,7 @@ TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
     ASSERT_NE(first, std::string::npos);
     ASSERT_LT(first, apart);
     const std::string screen = html.substr(first, apart - first);
-    EXPECT_NE(screen.find("tangent · tears a stripe by up to 36′ (arc minutes), seen from "
+    EXPECT_NE(screen.find("mend the tangent · tears a stripe by up to 36′ (arc minutes), seen from "
                           "three-quarter front left "
                           "· 100.0 mm on 1 seam, 96 % of it visible · on both sides · weight "
                           "30000"),
@@ -130,11 +175,13 @@ TEST(ReportHtml, AFaultOfAFaceHasACard) {
     triaged.triage.items = {{Mending::curvature, {2}, {}, 2, 10, 1, 5, 100, "top", false}};
     const std::string html = report_html(triaged);
     const auto first = html.find("What to mend first");
-    EXPECT_LT(
-        first,
-        html.find(
-            "curvature · breaks a reflection by up to 5.0′ (arc minutes), seen from top</div>"));
-    EXPECT_LT(first, html.find("the dent of 0.1 mm"));
+    const std::string_view sight =
+        "width by up to 5.0′ (arc minutes), seen from top · weight 100</div>";
+    const auto told = html.find(sight);
+    ASSERT_NE(told, std::string::npos);
+    EXPECT_LT(first, told);
+    EXPECT_LT(told, html.find("the dent of 0.1 mm", told));
+    EXPECT_NE(html.find("the dent of 0.1 mm", told), std::string::npos);
 }
 
 TEST(ReportHtml, PlotsTheProfilesOfStretchesThatDoNotPass) {
@@ -290,7 +337,7 @@ TEST(ReportHtml, TellsTheFirstScreenInOrder) {
     std::size_t at = 0;
     for (const char* text :
          {"<header class=\"card head fail\">", "stretches fail", "undecided", "</b>crease</a>",
-          "not covered", "Reflections", "Worst stretches of seams", "0.0400 mm", "0.300°",
+          "not covered", "Worst stretches of seams", "0.0400 mm", "0.300°", "Reflections",
           "Coverage", "87.5 %", "All stretches of seams", "lost faces", "repairs",
           "1 × open loop closed on 1 face, up to 0.25 mm", "a &lt;seam&gt; added",
           "invalid in the file"}) {

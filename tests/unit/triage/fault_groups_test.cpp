@@ -11,6 +11,7 @@ namespace keiko {
 namespace {
 
 using test::bent_pair;
+using test::curved_pair;
 using test::holed_sheet;
 using test::ModelBuilder;
 using test::Triaged;
@@ -146,6 +147,47 @@ TEST(Triage, WhatLiesInOneGlanceIsOneItem) {
         ASSERT_EQ(found.inspection.findings.size(), 3u);
         EXPECT_EQ(found.triage.items.size(), items) << apart << " mm apart";
     }
+}
+
+TEST(Triage, WhatIsMendedByOtherMeansIsOneItemWhereItTouches) {
+    for (const auto& [from, items] : {std::pair(21.0, 1u), {40.0, 2u}}) {
+        ModelBuilder builder;
+        builder.plane({0, 0, 0}, {20, 0, 0}, {0, 100, 0});
+        builder.plane({0, -0.05, 0}, {20, 0, 0}, {0, -100, 0});
+        bent_pair(builder, {from, 0, 0}, 10, 0.2);
+        bent_pair(builder, {2000, 0, 0}, 20, 0);
+        const Triaged found(builder);
+        ASSERT_EQ(found.inspection.findings.size(), 2u);
+        ASSERT_EQ(found.triage.items.size(), items) << from;
+        EXPECT_EQ(found.triage.items[0].mending, Mending::position);
+    }
+}
+
+TEST(Triage, AStretchWithAGapAsksForPositionThoughItsAngleIsWorse) {
+    ModelBuilder builder;
+    builder.plane({0, 0, 0}, {200, 0, 0}, {0, 100, 0});
+    builder.plane({0, -0.02, 0}, {200, 0, 0}, {0, -100, -3});
+    const Triaged found(builder);
+    ASSERT_EQ(found.inspection.findings.size(), 2u);
+    EXPECT_EQ(found.inspection.findings[0].code, "G-SU-NT");
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_EQ(found.triage.items[0].mending, Mending::position);
+}
+
+TEST(Triage, JumpsTooFineForAnEyeAreOneItem) {
+    constexpr double fillet = -1.0 / 15, panel = -1.0 / 2000;
+    ModelBuilder builder;
+    curved_pair(builder, {0, 0, 0}, 0, fillet);
+    curved_pair(builder, {2000, 0, 0}, 0, fillet);
+    curved_pair(builder, {0, 1000, 0}, 0, panel);
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 2u);
+    for (const TriageItem& item : found.triage.items) {
+        EXPECT_EQ(item.seams.size(), item.fine ? 2u : 1u);
+        EXPECT_EQ(item.fine, item.width < eye_resolution);
+    }
+    EXPECT_FALSE(found.triage.items[0].fine);
+    EXPECT_TRUE(found.triage.items[1].fine);
 }
 
 TEST(Triage, ARowOfFaultsIsNotOneItem) {

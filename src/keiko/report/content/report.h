@@ -62,14 +62,16 @@ struct InputFile {
 
 /// All contents of a report. Values only: the same report gives the same bytes.
 struct Report {
-    std::string tool_version;                 ///< version of Keiko that made it
-    std::vector<InputFile> inputs;            ///< models, scene, rig and views, each once
-    std::vector<std::string> opened;          ///< the models in order, or the scene file
-    std::vector<NamedView> views;             ///< of `pictures`, in order
-    Inspection inspection;                    ///< seams, faces and their verdicts
-    std::optional<CoverageSummary> coverage;  ///< of lamps that were placed or rated
-    std::optional<LineList> lines;            ///< of the views of `pictures`
-    Triage triage;                            ///< of whole_inspection()
+    std::string tool_version;                ///< version of Keiko that made it
+    std::vector<InputFile> inputs;           ///< models, scene, rig and views, each once
+    std::vector<std::string> opened;         ///< the models in order, or the scene file
+    std::vector<NamedView> views;            ///< of `pictures`, in order
+    Inspection inspection;                   ///< seams, faces and their verdicts
+    std::optional<CoverageSummary> coverage; ///< of lamps that were placed or rated
+    std::optional<LineList> lines;           ///< of the views of `pictures`
+    Triage triage;                           ///< of whole_inspection()
+    /// Zebra in the standing views by which the first faults are ordered.
+    std::vector<ReportPicture> standing_pictures;
     std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
     std::vector<ReportPicture> line_pictures; ///< stripe pictures with the lines
     /// Analysis pictures of the surface, each named for its view.
@@ -119,8 +121,9 @@ constexpr std::size_t most_profiles = 20;
 /// inspection_json, with the verdict of lines and seams together. Lines: lines {rig, look, preset,
 /// verdict, counts, crossings} with the keys of lines_json, or null. Triage: triage {items,
 /// hidden}, both [{mending, findings, seams, face (numbers), length (mm), visible (share of 1),
-/// width (arc minutes), weight (square arc minutes), view, mirrored}]. Coverage: coverage {rig,
-/// covered, unreached}. Pictures: pictures, line_pictures, curvature_pictures and close_ups
+/// width (arc minutes), weight (square arc minutes), view, mirrored, fine}]. Coverage: coverage
+/// {rig, covered, unreached}. Pictures: standing_pictures, pictures, line_pictures,
+/// curvature_pictures and close_ups
 /// [{title, file, width, height, markers [{number, x, y}]}]. Close-ups have the number of their
 /// seam or face, or the rank of their crossing, from 1. The report holds no time, so that every run
 /// gives the same bytes.

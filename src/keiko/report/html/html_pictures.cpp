@@ -43,11 +43,15 @@ std::string html_figure(const ReportPicture& picture) {
     return html + "</figcaption></figure>\n";
 }
 
+std::string html_figures(std::span<const ReportPicture> pictures) {
+    if (pictures.empty()) return "";
+    std::string html = "<div class=\"pictures\">\n";
+    for (const ReportPicture& picture : pictures) html += html_figure(picture);
+    return html + "</div>\n";
+}
+
 std::string html_pictures(const Report& report) {
-    if (report.pictures.empty()) return "";
-    std::string html = "<section><h2>Reflections</h2><div class=\"pictures\">\n";
-    for (const ReportPicture& picture : report.pictures) html += html_figure(picture);
-    return html + "</div></section>\n";
+    return html_section("Reflections", html_figures(report.pictures));
 }
 
 std::string html_form(const Report& report) {
@@ -55,10 +59,8 @@ std::string html_form(const Report& report) {
     std::string html =
         "<section><h2>Form</h2><p class=\"soft\">Gaussian curvature, blue where the face is a "
         "saddle; black are the inflection curves, along which it changes its sign. Zebra: rings "
-        "about the vertical, mirrored; they run smoothly where the curvature does.</p>"
-        "<div class=\"pictures\">\n";
-    for (const ReportPicture& picture : report.curvature_pictures) html += html_figure(picture);
-    return html + "</div></section>\n";
+        "about the vertical, mirrored; they run smoothly where the curvature does.</p>";
+    return html + html_figures(report.curvature_pictures) + "</section>\n";
 }
 
 std::string html_combs(const Report& report) {

@@ -166,18 +166,18 @@ std::string plots_of(const Report& report, std::uint32_t seam) {
 }
 
 std::string html_seam_card(const Report& report, std::size_t rank, const ShownItem& item,
-                           const std::string& note) {
+                           const std::string& heading, const std::string& note) {
     const std::uint32_t index = item.seam;
     const SeamPoint* shown =
         item.fault ? profile_point(profile_of(report, index), item.place) : nullptr;
     const MeasuredSeam& seam = report.inspection.seams[index];
     return "<div class=\"card seam " + seam_tone(seam) + "\"><div class=\"rank\">" +
-           std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" + "seam " +
-           std::to_string(index + 1) + " · " + html_escaped(seam.faces) + "</div>" + note +
-           "<div class=\"soft small\">at " + place_text(item.place) + irregular_note(seam) + " · " +
-           fixed_number(seam.length, 1) + " mm long" + kind_note(seam) +
-           "</div><div class=\"measures\">" + gap_measure(seam) + angle_measure(seam) +
-           curvature_measure(seam, shown) +
+           std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" + heading +
+           "seam " + std::to_string(index + 1) + " · " + html_escaped(seam.faces) + "</div>" +
+           note + "<div class=\"soft small\">at " + place_with_axes(item.place) +
+           irregular_note(seam) + " · " + fixed_number(seam.length, 1) + " mm long" +
+           kind_note(seam) + "</div><div class=\"measures\">" + gap_measure(seam) +
+           angle_measure(seam) + curvature_measure(seam, shown) +
            slope_measure(seam, limits_of(report.inspection, seam)) + fading_measure(seam) +
            "</div>" + folded_profile_of(report, index) + "</div>" +
            html_close_up(report, CloseUp::Of::seam, index, item.place) + "</div>\n";

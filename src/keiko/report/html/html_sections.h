@@ -22,8 +22,10 @@ std::string html_verdict(const Report& report);
 std::string html_scope(const Report& report);
 /// The stripe pictures with the places of the worst seams.
 std::string html_pictures(const Report& report);
-/// One of its pictures with its markers.
+/// A picture with its markers.
 std::string html_figure(const ReportPicture& picture);
+/// Pictures in a row; empty without any.
+std::string html_figures(std::span<const ReportPicture> pictures);
 /// Curvature and zebra pictures.
 std::string html_form(const Report& report);
 /// Sections and iso-curves with their combs.
@@ -39,9 +41,10 @@ std::string html_gallery(const Report& report);
 std::string html_lines(const Report& report);
 /// The faults to mend first, or else the worst seams, each with its measures against their limits.
 std::string html_first_screen(const Report& report);
-/// A stretch of a seam with its measures against their limits; `note`: a fragment on its fault.
+/// A stretch of a seam with its measures against their limits; `heading`, before its name, and
+/// `note`: fragments on its fault.
 std::string html_seam_card(const Report& report, std::size_t rank, const ShownItem& item,
-                           const std::string& note);
+                           const std::string& heading, const std::string& note);
 /// Faults that no standing view shows.
 std::string html_hidden(const Report& report);
 /// The profiles of failing and undecided stretches that the first screen does not show.

@@ -1,75 +1,21 @@
+#include "keiko/report/html/fault_words.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
-#include "keiko/triage/reflection_break.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 
 namespace keiko {
 namespace {
 
-/// "three-quarter front left" for "standing-three-quarter-front-left".
-std::string words_of_view(const std::string& view) {
-    constexpr std::string_view standing = "standing-", side = "three-quarter-";
-    std::string words = view.rfind(standing, 0) == 0 ? view.substr(standing.size()) : view;
-    const bool is_between = words.rfind(side, 0) == 0;
-    if (is_between) words.erase(0, side.size());
-    std::replace(words.begin(), words.end(), '-', ' ');
-    return is_between ? "three-quarter " + words : words;
-}
-
-/// The effect of a fault on the stripe of a lamp, with its width.
-std::string effect_of(const TriageItem& fault) {
-    constexpr double coarse = 10; // arc minutes
-    if (fault.mending == Mending::position && fault.width >= lamp_width)
-        return "counts as a whole stripe torn away";
-    const std::string width =
-        fixed_number(fault.width, fault.width < coarse ? 1 : 0) + "′ (arc minutes)";
-    if (fault.mending == Mending::position) return "counts as a tear of a stripe by " + width;
-    return (fault.torn ? "tears a stripe by up to " : "changes a stripe's width by up to ") + width;
-}
-
-/// ", 96 % of it visible"; empty where all is.
-std::string visible_text(double share) {
-    const std::string percent = fixed_number(100 * share, 0);
-    return percent == "100" ? "" : ", " + percent + " % of it visible";
-}
-
-/// "tangent · tears a stripe by up to 2.8′ (arc minutes), seen from left · 271.5 mm on 3 seams, 96
-/// % of it visible · on both sides · weight 12".
-std::string sight_text(const TriageItem& item) {
-    constexpr double least_width = 0.05; // arc minutes
-    std::string text(name_of(item.mending));
-    if (item.width >= least_width)
-        text += " · " + effect_of(item) + ", seen from " + words_of_view(item.view);
-    if (!item.seams.empty())
-        text += " · " + fixed_number(item.length, 1) + " mm on " +
-                std::to_string(item.seams.size()) + (item.seams.size() == 1 ? " seam" : " seams") +
-                visible_text(item.visible);
-    if (item.mirrored) text += " · on both sides";
-    return text + " · weight " + fixed_number(item.weight, item.weight < 10 ? 1 : 0);
-}
-
-/// The other findings of a fault, one of each seam or face: "also face 47 | face 50: the angle
-/// of 1.45 degrees is over the limit of 0.1 degrees". Empty without anything else.
-std::string also_text(const TriageItem& fault, const Inspection& inspection) {
-    constexpr std::size_t most = 3;
-    std::set<std::string> told{numbered_check(inspection, fault.findings.front()).faces};
-    std::string text;
-    for (const std::size_t number : fault.findings) {
-        const Check& check = numbered_check(inspection, number);
-        if (!told.insert(check.faces).second) continue;
-        if (told.size() <= most + 1)
-            text += (text.empty() ? "also " : "; ") + check.faces + ": " + check.message;
-    }
-    if (told.size() > most + 1)
-        text += "; and " + std::to_string(told.size() - most - 1) + " more seams or faces";
-    return text;
-}
-
 std::string sight_note(const TriageItem& fault) {
     return "<div class=\"sight\">" + html_escaped(sight_text(fault)) + "</div>";
+}
+
+/// "Kink (G1) · rear right, high · "
+std::string heading(const TriageItem& fault, const Inspection& inspection) {
+    return html_escaped(fault_title(fault, inspection) + " · " +
+                        words_of_place(fault.place, inspection.facts.bounds) + " · ");
 }
 
 std::string also_note(const TriageItem& fault, const Inspection& inspection) {
@@ -83,9 +29,10 @@ std::string card(const Report& report, std::size_t rank, const ShownItem& item,
     const Check& worst = numbered_check(whole, item.fault->findings.front());
     return "<div class=\"card seam " + std::string(outcome_of(worst)) + "\"><div class=\"rank\">" +
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
-           html_escaped(worst.faces) + "</div>" + sight_note(*item.fault) + "<div>" +
-           html_escaped(worst.message) + "</div>" + also_note(*item.fault, whole) +
-           "<div class=\"soft small\">at " + place_text(worst.worst.place) + "</div></div>" +
+           heading(*item.fault, whole) + html_escaped(worst.faces) + "</div>" +
+           sight_note(*item.fault) + "<div>" + html_escaped(worst.message) + "</div>" +
+           also_note(*item.fault, whole) + "<div class=\"soft small\">at " +
+           place_with_axes(worst.worst.place) + "</div></div>" +
            html_close_up(report, CloseUp::Of::face, item.face, item.place) + "</div>\n";
 }
 
@@ -129,14 +76,14 @@ std::string html_first_screen(const Report& report) {
                              "tear. A gap counts as the angle that is as far over its limit, and "
                              "a hole too.</p>"
                            : "<section><h2>Worst stretches of seams</h2>";
-    html += "<div class=\"worst\">\n";
+    html += html_figures(report.standing_pictures) + "<div class=\"worst\">\n";
     for (std::size_t i = 0; i < items.size(); ++i) {
         const ShownItem& item = items[i];
         html +=
             item.seam == no_index
                 ? card(report, i + 1, item, whole)
                 : html_seam_card(
-                      report, i + 1, item,
+                      report, i + 1, item, item.fault ? heading(*item.fault, whole) : "",
                       item.fault ? sight_note(*item.fault) + also_note(*item.fault, whole) : "");
     }
     html += "</div>";

@@ -159,7 +159,7 @@ std::string html_coverage(const Report& report) {
 std::string report_html(const Report& report) {
     std::string html;
     for (const auto section :
-         {html_verdict, html_scope, html_pictures, html_first_screen, html_hidden, html_findings,
+         {html_verdict, html_scope, html_first_screen, html_pictures, html_hidden, html_findings,
           html_accepted, html_looks, html_coverage, html_lines, html_form, html_combs,
           html_more_profiles, html_all_seams, html_scraps, html_joints, html_faces, html_facts,
           html_gallery})
@@ -170,8 +170,8 @@ std::string report_html(const Report& report) {
 
 FolderContent report_files(const Report& report) {
     FolderContent files;
-    for (const auto* pictures :
-         {&report.pictures, &report.line_pictures, &report.curvature_pictures})
+    for (const auto* pictures : {&report.standing_pictures, &report.pictures, &report.line_pictures,
+                                 &report.curvature_pictures})
         for (const ReportPicture& picture : *pictures) files[picture.file_name] = picture.png;
     for (const CloseUp& close_up : report.close_ups)
         files[close_up.picture.file_name] = close_up.picture.png;

@@ -208,6 +208,12 @@ Json picture_json(const ReportPicture& picture) {
             {"markers", markers}};
 }
 
+Json pictures_json(const std::vector<ReportPicture>& pictures) {
+    Json json = Json::array();
+    for (const ReportPicture& picture : pictures) json.push_back(picture_json(picture));
+    return json;
+}
+
 const char* word_of(CloseUp::Of of) {
     return of == CloseUp::Of::seam ? "seam" : of == CloseUp::Of::face ? "face" : "crossing";
 }
@@ -234,15 +240,10 @@ std::string report_json(const Report& report) {
     json["lines"] = report.lines ? line_verdicts_json(*report.lines) : Json();
     json["triage"] = triage_json(report.triage);
     json["coverage"] = report.coverage ? coverage_json(*report.coverage) : Json();
-    json["pictures"] = Json::array();
-    for (const ReportPicture& picture : report.pictures)
-        json["pictures"].push_back(picture_json(picture));
-    json["line_pictures"] = Json::array();
-    for (const ReportPicture& picture : report.line_pictures)
-        json["line_pictures"].push_back(picture_json(picture));
-    json["curvature_pictures"] = Json::array();
-    for (const ReportPicture& picture : report.curvature_pictures)
-        json["curvature_pictures"].push_back(picture_json(picture));
+    json["standing_pictures"] = pictures_json(report.standing_pictures);
+    json["pictures"] = pictures_json(report.pictures);
+    json["line_pictures"] = pictures_json(report.line_pictures);
+    json["curvature_pictures"] = pictures_json(report.curvature_pictures);
     json["close_ups"] = Json::array();
     for (const CloseUp& close_up : report.close_ups) {
         json["close_ups"].push_back(picture_json(close_up.picture));

@@ -24,7 +24,8 @@ Json item_json(const TriageItem& item) {
             {"width", item.width},
             {"weight", item.weight},
             {"view", item.view},
-            {"mirrored", item.mirrored}};
+            {"mirrored", item.mirrored},
+            {"fine", item.fine}};
 }
 
 /// The profile of the stretch that shows most of an item, or null.

@@ -41,9 +41,10 @@ p { margin: 0 0 8px; }
 .count b { display: block; font-size: 26px; font-weight: 680; line-height: 1.2; color: var(--tone); }
 .count.none b { color: var(--soft); font-weight: 500; }
 .pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(340px, 100%), 1fr)); gap: 16px; }
+.pictures > :only-child { max-width: 820px; }
 figure { margin: 0; overflow: hidden; break-inside: avoid; }
 figcaption { padding: 9px 14px; }
-.pictures + .card { margin-top: 16px; }
+.pictures + .card, .pictures + .worst { margin-top: 16px; }
 .picture { position: relative; background: #000; line-height: 0; }
 .picture img { width: 100%; height: auto; }
 .marker { position: absolute; transform: translate(-50%, -50%); width: 24px; height: 24px;
@@ -58,7 +59,7 @@ figcaption { padding: 9px 14px; }
   print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .seam .body { flex: 1 1 auto; min-width: 0; }
 .seam .name { font-weight: 620; overflow-wrap: anywhere; }
-.seam img { flex: none; width: 220px; border-radius: 6px; }
+.seam img { flex: none; width: 280px; border-radius: 6px; }
 [data-shot] { cursor: zoom-in; } [data-shot]:hover td, [data-shot]:focus-visible td { background: var(--tint); }
 dialog { border: 1px solid var(--line); border-radius: 10px; background: var(--card); color: var(--ink);
   max-width: min(760px, 94vw); padding: 16px; } dialog::backdrop { background: #000a; }
@@ -72,7 +73,7 @@ dialog img { width: 720px; max-width: 100%; border-radius: 6px; } dialog p { mar
 .profiled { padding: 8px 16px; } .profiled summary { margin: 0; overflow-wrap: anywhere; }
 .measures { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: 8px 24px;
   margin-top: 10px; }
-.measure b { font-size: 18px; font-weight: 650; color: var(--tone); white-space: nowrap; }
+.measure b { font-size: 16px; font-weight: 650; color: var(--tone); white-space: nowrap; }
 .bar { height: 4px; border-radius: 2px; background: var(--tint); margin: 4px 0 2px; position: relative; }
 .bar i { position: absolute; inset: 0 auto 0 0; border-radius: 2px; background: var(--tone);
   print-color-adjust: exact; -webkit-print-color-adjust: exact; }

@@ -69,12 +69,22 @@ std::string short_number(double value, int digits) {
     return std::isfinite(value) ? formatted("%.*g", digits, value) : "–";
 }
 
+namespace {
+
+/// A coordinate with one decimal. + 0.0 turns a negative zero into a positive one.
+std::string coordinate(double x) {
+    return formatted("%.*f", 1, std::round(x * 10) / 10 + 0.0);
+}
+
+} // namespace
+
 std::string place_text(const Vec3& place) {
-    // + 0.0 turns a negative zero into a positive one.
-    const auto rounded = [](double x) {
-        return formatted("%.*f", 1, std::round(x * 10) / 10 + 0.0);
-    };
-    return rounded(place.x) + ", " + rounded(place.y) + ", " + rounded(place.z);
+    return coordinate(place.x) + ", " + coordinate(place.y) + ", " + coordinate(place.z);
+}
+
+std::string place_with_axes(const Vec3& place) {
+    return "x " + coordinate(place.x) + ", y " + coordinate(place.y) + ", z " +
+           coordinate(place.z) + " mm";
 }
 
 std::string base64(std::string_view bytes) {

@@ -28,6 +28,9 @@ std::string short_number(double value, int digits = 3);
 /// "12.3, -45.6, 789.0", mm.
 std::string place_text(const Vec3& place);
 
+/// "x 12.0, y -3.5, z 820.1 mm"
+std::string place_with_axes(const Vec3& place);
+
 /// Base64 text of bytes [RFC4648], padded, in one line.
 std::string base64(std::string_view bytes);
 

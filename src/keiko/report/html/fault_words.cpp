@@ -1,0 +1,128 @@
+#include "keiko/report/html/fault_words.h"
+
+#include "keiko/report/markup/html_text.h"
+#include "keiko/triage/reflection_break.h"
+
+#include <algorithm>
+#include <set>
+#include <string_view>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// The effect of a fault on the stripe of a lamp, with its width.
+std::string effect_of(const TriageItem& fault) {
+    constexpr double coarse = 10; // arc minutes
+    if (fault.mending == Mending::position && fault.width >= lamp_width)
+        return "counts as a whole stripe torn away";
+    const std::string width =
+        fixed_number(fault.width, fault.width < coarse ? 1 : 0) + "′ (arc minutes)";
+    if (fault.fine)
+        return "changes a stripe's width by at most " + width + ", less than an eye resolves";
+    if (fault.mending == Mending::position) return "counts as a tear of a stripe by " + width;
+    return (fault.torn ? "tears a stripe by up to " : "changes a stripe's width by up to ") + width;
+}
+
+/// ", 96 % of it visible"; empty where all is.
+std::string visible_text(double share) {
+    const std::string percent = fixed_number(100 * share, 0);
+    return percent == "100" ? "" : ", " + percent + " % of it visible";
+}
+
+/// A finding in a few words: those of a seam by what jumps there.
+std::string short_text(const Check& check) {
+    const std::string value = short_number(check.worst.value, 3);
+    if (check.opening_length > 0) return "hole, " + value + " mm wide";
+    if (check.seam == no_index) return check.message;
+    if (check.code == "G-SU-LG") return "gap of " + value + " mm";
+    if (check.code == "G-SU-NT") return "kink of " + value + "°";
+    if (check.code == "G-SU-NS") return "curvature jump";
+    return check.message;
+}
+
+/// The findings of a fault in the order of its stretches, those of faces after them.
+std::vector<const Check*> widest_first(const TriageItem& fault, const Inspection& inspection) {
+    std::vector<const Check*> checks;
+    for (const std::size_t number : fault.findings)
+        checks.push_back(&numbered_check(inspection, number));
+    const auto rank = [&](const Check* check) {
+        return std::find(fault.seams.begin(), fault.seams.end(), check->seam);
+    };
+    std::stable_sort(checks.begin(), checks.end(),
+                     [&](const Check* a, const Check* b) { return rank(a) < rank(b); });
+    return checks;
+}
+
+/// The third of an interval in which a number lies, in words.
+std::string_view third(double at, double lower, double upper, std::string_view low,
+                       std::string_view middle, std::string_view high) {
+    const double share = upper > lower ? (at - lower) / (upper - lower) : 0.5;
+    return 3 * share < 1 ? low : 3 * share > 2 ? high : middle;
+}
+
+} // namespace
+
+std::string fault_title(const TriageItem& fault, const Inspection& inspection) {
+    if (fault.fine) return "Curvature jumps (G2), too fine for an eye";
+    const Check& worst = numbered_check(inspection, fault.findings.front());
+    if (worst.opening_length > 0) return "Hole";
+    const bool is_of_seams = !fault.seams.empty();
+    switch (fault.mending) {
+        case Mending::position:
+            return is_of_seams ? "Gap (G0)" : "Position";
+        case Mending::tangent:
+            return is_of_seams ? "Kink (G1)" : "Kink";
+        case Mending::curvature:
+            return is_of_seams ? "Curvature jump (G2)" : "Form";
+        case Mending::layout:
+            break;
+    }
+    return "Layout of patches";
+}
+
+std::string words_of_place(const Vec3& place, const Box3& body) {
+    const Vec3 &low = body.lower, &up = body.upper;
+    std::string words(third(place.x, low.x, up.x, "front", "middle", "rear"));
+    const std::string_view side = third(place.y, low.y, up.y, "left", "", "right");
+    if (!side.empty()) words += " " + std::string(side);
+    return words + std::string(third(place.z, low.z, up.z, ", low", "", ", high"));
+}
+
+std::string words_of_view(const std::string& view) {
+    constexpr std::string_view standing = "standing-", side = "three-quarter-";
+    std::string words = view.rfind(standing, 0) == 0 ? view.substr(standing.size()) : view;
+    const bool is_between = words.rfind(side, 0) == 0;
+    if (is_between) words.erase(0, side.size());
+    std::replace(words.begin(), words.end(), '-', ' ');
+    return is_between ? "three-quarter " + words : words;
+}
+
+std::string sight_text(const TriageItem& fault) {
+    constexpr double least_width = 0.05; // arc minutes
+    std::string text = "mend the " + std::string(name_of(fault.mending));
+    if (fault.width >= least_width)
+        text += " · " + effect_of(fault) + ", seen from " + words_of_view(fault.view);
+    if (!fault.seams.empty())
+        text += " · " + fixed_number(fault.length, 1) + " mm on " +
+                std::to_string(fault.seams.size()) +
+                (fault.seams.size() == 1 ? " seam" : " seams") + visible_text(fault.visible);
+    if (fault.mirrored) text += " · on both sides";
+    return text + " · weight " + fixed_number(fault.weight, fault.weight < 10 ? 1 : 0);
+}
+
+std::string also_text(const TriageItem& fault, const Inspection& inspection) {
+    constexpr std::size_t most = 5;
+    std::set<std::string> named{numbered_check(inspection, fault.findings.front()).faces};
+    std::string text;
+    for (const Check* check : widest_first(fault, inspection)) {
+        if (!named.insert(check->faces).second) continue;
+        if (named.size() <= most + 1)
+            text += (text.empty() ? "also " : "; ") + check->faces + ": " + short_text(*check);
+    }
+    if (named.size() > most + 1)
+        text += "; and " + std::to_string(named.size() - most - 1) + " more seams or faces";
+    return text;
+}
+
+} // namespace keiko

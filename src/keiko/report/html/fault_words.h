@@ -1,0 +1,29 @@
+#pragma once
+
+#include "keiko/inspect/inspection.h"
+#include "keiko/triage/triage.h"
+
+#include <string>
+
+namespace keiko {
+
+/// A fault in the words of the trade: "Kink (G1)". G0 to G2 are the orders of continuity that it
+/// breaks.
+std::string fault_title(const TriageItem& fault, const Inspection& inspection);
+
+/// The third of a body's box in which a place lies: "rear right, high". x points to the rear, y to
+/// the right and z up.
+std::string words_of_place(const Vec3& place, const Box3& body);
+
+/// "three-quarter front left" for "standing-three-quarter-front-left".
+std::string words_of_view(const std::string& view);
+
+/// A fault as an eye sees it: "mend the tangent · tears a stripe by up to 2.8′ (arc minutes), seen
+/// from left · 271.5 mm on 3 seams · weight 12".
+std::string sight_text(const TriageItem& fault);
+
+/// The other findings of a fault, one of each seam or face: "also face 2 | face 47: kink of
+/// 0.52°". Empty without anything else.
+std::string also_text(const TriageItem& fault, const Inspection& inspection);
+
+} // namespace keiko
