@@ -42,12 +42,19 @@ std::vector<CourseEnd> ends_of(std::span<const MeasuredSeam* const> stretches) {
     return ends;
 }
 
+/// False for a short piece at the end of a line, as at the corner of a fillet: it is no link to
+/// what lies beyond it.
+bool are_of_one_size(const CourseEnd& a, const CourseEnd& b) {
+    constexpr double least = 0.1;
+    return std::min(a.length, b.length) >= least * std::max(a.length, b.length);
+}
+
 /// mm between two ends where one goes on as the other leads out; infinite for others.
 double distance_on(const CourseEnd& a, const CourseEnd& b, double reach) {
     constexpr double bend = 0.5; // sine of the largest angle between them
     const double distance = (a.place - b.place).length();
-    const bool is_on = distance <= reach && a.stretch != b.stretch && a.out.dot(b.out) < 0 &&
-                       nearly_parallel(a.out, b.out, bend);
+    const bool is_on = distance <= reach && a.stretch != b.stretch && are_of_one_size(a, b) &&
+                       a.out.dot(b.out) < 0 && nearly_parallel(a.out, b.out, bend);
     return is_on ? distance : HUGE_VAL;
 }
 

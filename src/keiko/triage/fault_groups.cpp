@@ -187,6 +187,8 @@ bool Grouping::may_merge(const FaultGroup& group, const FaultGroup& worse) const
     const auto is_fine_group = [&](const FaultGroup& any) {
         return units_[any.units.front()].is_fine();
     };
+    const bool is_local = worse.sight.spread <= glance_;
+    if (!is_local && group.sight.tear > worse.sight.tear) return false;
     return group.sight.is_hidden() == worse.sight.is_hidden() && !is_fine_group(group) &&
            !is_fine_group(worse) && is_in_glance(group, worse);
 }

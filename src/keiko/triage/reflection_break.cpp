@@ -29,8 +29,17 @@ double break_of_angle(double angle, double curvature, const LineOfSight& sight) 
 double break_of_curvatures(double a, double b, const LineOfSight& sight) {
     if (!(sight.cosine > 0)) return 0;
     const double first = image_size(a, sight), second = image_size(b, sight);
-    const auto [smaller, larger] = std::minmax({std::abs(first), std::abs(second)});
-    return lamp_width * std::abs(first - second) * smaller / larger;
+    const double smaller = std::min(std::abs(first), std::abs(second));
+    const double fineness = std::min(lamp_width * smaller / stripe_width, 1.0);
+    return lamp_width * std::abs(first - second) * fineness * fineness;
+}
+
+double pooled(double width, double length) {
+    return std::pow(width, pooling) * length / pooling_length;
+}
+
+double break_of_pooled(double integral) {
+    return std::pow(integral, 1 / pooling);
 }
 
 double break_of_gap(double gap, const LineOfSight& sight) {

@@ -6,6 +6,9 @@ namespace keiko {
 /// (ISO 8596).
 constexpr double eye_resolution = 1;
 
+/// Arc minutes: width below which the reflection of a lamp becomes a line to an eye.
+constexpr double stripe_width = 5 * eye_resolution;
+
 /// How an eye sees a place of a body.
 struct LineOfSight {
     double distance = 0; ///< mm, from the eye to the place
@@ -29,13 +32,24 @@ double break_of_angle(double angle, double curvature, const LineOfSight& sight);
 
 /// Arc minutes by which the reflection of a lamp of `lamp_width` changes where the curvature jumps
 /// from `a` to `b`, as in image_size(). Its width changes; where it turns over, both widths add up.
-/// The change counts by the share that the smaller image has of the larger: beside a fillet, which
-/// shrinks lamps to a line, there is no stripe that changes.
+/// Where the smaller image is narrower than stripe_width, the change counts by the square of that
+/// share: beside a fillet, which shrinks lamps to a line, there is no stripe that changes.
 double break_of_curvatures(double a, double b, const LineOfSight& sight);
 
 /// A change of a stripe's width is as sure to an eye as a tear by this part of it
 /// (docs/theory/triage.md).
-constexpr double offsets_a_change = 6;
+constexpr double offsets_a_change = 12;
+
+/// Exponent by which an eye pools breaks along a line (docs/theory/triage.md). It is as sure of a
+/// short sharp one as of a long faint one if their integrals to this power are equal.
+constexpr double pooling = 3;
+/// Arc minutes: length along which a break counts in full.
+constexpr double pooling_length = 60;
+
+/// The share of a pooled integral of a break of `width` along `length`, both arc minutes.
+double pooled(double width, double length);
+/// Arc minutes: the break along pooling_length that has this integral.
+double break_of_pooled(double integral);
 
 /// Arc minutes of a gap of `gap` mm, seen squarely.
 double break_of_gap(double gap, const LineOfSight& sight);

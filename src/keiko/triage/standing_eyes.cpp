@@ -60,7 +60,7 @@ double seen_length(const SightPlace& at, const Vec3& eye) {
 /// A place as one eye sees it; zeros where it does not.
 struct SeenPlace {
     Break shown;
-    double weight = 0; ///< square arc minutes
+    double weight = 0; ///< as of Sight
 };
 
 /// Places as an eye sees those that it is shown.
@@ -73,7 +73,7 @@ std::vector<SeenPlace> seen_from(const Vec3& eye, std::span<const SightPlace> pl
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!shows[i]) continue;
         seen[i].shown = break_at(places[i], eye, length);
-        seen[i].weight = seen[i].shown.offset * seen_length(places[i], eye);
+        seen[i].weight = pooled(seen[i].shown.offset, seen_length(places[i], eye));
     }
     return seen;
 }

@@ -36,8 +36,8 @@ struct Sight {
     std::array<bool, standing_views.size()> torn{};
     /// Arc minutes: the widest tear that an eye is as sure of as of a break, in any standing view.
     double tear = 0;
-    /// Square arc minutes: the width of the tear that an eye is as sure of as of the break,
-    /// integrated over its visible length, of each view.
+    /// The widths of the tears that an eye is as sure of as of the breaks, pooled() over the length
+    /// that each view shows.
     std::array<double, standing_views.size()> weight{};
     /// World, mm: in the best view the middle of the places that are nearly as bad as the worst.
     Vec3 place{0};

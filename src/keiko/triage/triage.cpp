@@ -2,6 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/triage/fault_groups.h"
+#include "keiko/triage/reflection_break.h"
 #include "keiko/triage/seam_sight.h"
 
 #include <algorithm>
@@ -43,7 +44,7 @@ TriageItem item_of(const FaultGroup& group, const std::vector<FaultUnit>& units)
     item.length = sight.length, item.visible = sight.visible_share();
     const std::size_t view = sight.best_view();
     item.view = standing_views[view];
-    item.width = sight.width[view], item.weight = sight.weight[view];
+    item.width = sight.width[view], item.weight = break_of_pooled(sight.weight[view]);
     item.torn = sight.torn[view], item.fine = first.is_fine();
     item.mirrored = group.mirrored;
     item.place = sight.place;

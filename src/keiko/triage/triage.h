@@ -21,7 +21,7 @@ struct TriageItem {
     double length = 0;             ///< mm, of all stretches
     double visible = 0;            ///< share of the length that at least one view shows
     double width = 0;  ///< arc minutes: the widest break of a lamp's reflection in the view below
-    double weight = 0; ///< square arc minutes: breaks as they count, over the length, in that view
+    double weight = 0; ///< arc minutes: breaks as they count, pooled over the length in that view
     std::string view;  ///< standing view that shows most of it
     bool mirrored = false; ///< it is on both sides of the body's middle plane
     Vec3 place{0};         ///< where it is seen best, on the first of its parts; world, mm

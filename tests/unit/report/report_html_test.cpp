@@ -63,6 +63,27 @@ TEST(ReportHtml, TheFirstScreenBeginsWithTheStandingViews) {
     EXPECT_EQ(json["standing_pictures"][0]["markers"].size(), 1u);
 }
 
+TEST(ReportHtml, TheFirstScreenEndsWithWhatNoEyeResolves) {
+    Report crowded = report();
+    TriageItem fault;
+    fault.seams = {0}, fault.findings = {0};
+    crowded.triage.items.assign(9, fault);
+    crowded.triage.items[8].fine = true;
+    EXPECT_EQ(shown_items(crowded).back().fault, &crowded.triage.items[6]) << "a few more";
+    crowded.triage.items[8].seams.assign(9, 0);
+    const std::vector<ShownItem> shown = shown_items(crowded);
+    ASSERT_EQ(shown.size(), most_shown);
+    EXPECT_EQ(shown.back().fault, &crowded.triage.items[8]);
+    EXPECT_EQ(shown[5].fault, &crowded.triage.items[5]);
+    const std::string html = report_html(crowded);
+    const auto others = html.find("What comes after them");
+    ASSERT_NE(others, std::string::npos);
+    const std::string table = html.substr(others, html.find("</section>", others) - others);
+    EXPECT_NE(table.find("<td data-v=\"8\""), std::string::npos) << table;
+    EXPECT_NE(table.find("<td data-v=\"9\""), std::string::npos);
+    EXPECT_EQ(table.find("<td data-v=\"10\""), std::string::npos);
+}
+
 TEST(FaultWords, PlacesAreThirdsOfTheBody) {
     const Box3 body{Vec3(-300, -90, 0), Vec3(300, 0, 30)};
     EXPECT_EQ(words_of_place({-250, -80, 2}, body), "front left, low");
@@ -97,7 +118,8 @@ TEST(ReportHtml, AHoleStandsWithWhatLiesBesideIt) {
     fault.width = lamp_width;
     const std::string screen = first_screen(holed, fault);
     EXPECT_NE(screen.find("counts as a whole stripe torn away"), std::string::npos);
-    const auto name = screen.find("face 8 | face 9"), message = screen.find("a hole of 13 mm");
+    const auto name = screen.find("face 8 | face 9"),
+               message = screen.find("no surface between free edges");
     const auto also = screen.find("also face");
     EXPECT_LT(name, message);
     EXPECT_LT(message, also);
@@ -153,7 +175,7 @@ TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
     EXPECT_NE(screen.find("mend the tangent · tears a stripe by up to 36′ (arc minutes), seen from "
                           "three-quarter front left "
                           "· 100.0 mm on 1 seam, 96 % of it visible · on both sides · weight "
-                          "30000"),
+                          "30000′"),
               std::string::npos);
     EXPECT_NE(screen.find("0.300°"), std::string::npos);
     EXPECT_EQ(screen.find("0.0400 mm"), std::string::npos) << "the gap is hidden";
@@ -176,7 +198,7 @@ TEST(ReportHtml, AFaultOfAFaceHasACard) {
     const std::string html = report_html(triaged);
     const auto first = html.find("What to mend first");
     const std::string_view sight =
-        "width by up to 5.0′ (arc minutes), seen from top · weight 100</div>";
+        "width by up to 5.0′ (arc minutes), seen from top · weight 100′</div>";
     const auto told = html.find(sight);
     ASSERT_NE(told, std::string::npos);
     EXPECT_LT(first, told);

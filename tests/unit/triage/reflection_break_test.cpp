@@ -98,8 +98,9 @@ TEST(ReflectionBreak, OfCurvaturesIsThatOfTracedRays) {
                 const Vec2 eye = eye_at(2000, incidence);
                 // Behind the focus, at half the radius in the middle, the reflection turns over.
                 const double of_a = traced_width(a, eye), of_b = traced_width(b, eye);
-                const double traced = std::abs(of_a * upright(a) - of_b * upright(b)) *
-                                      std::min(of_a, of_b) / std::max(of_a, of_b);
+                const double fineness = std::min(1.0, std::min(of_a, of_b) / stripe_width);
+                const double traced =
+                    std::abs(of_a * upright(a) - of_b * upright(b)) * fineness * fineness;
                 EXPECT_NEAR(break_of_curvatures(1 / a, 1 / b, {2000, std::cos(incidence)}), traced,
                             1e-3 * lamp_width)
                     << a << ' ' << b << ' ' << incidence;
@@ -120,12 +121,18 @@ TEST(ReflectionBreak, IsBoundedNearTheFocusOfAHollowPlace) {
     EXPECT_LT(std::abs(image_size(-1 / 2000.0, {3000, 1})), largest_image);
 }
 
-TEST(ReflectionBreak, OfAnInflectionIsTheSumOfBothWidthsByTheShareOfTheSmaller) {
+TEST(ReflectionBreak, OfAnInflectionIsTheSumOfBothWidths) {
     const LineOfSight sight{3000, 1};
     const double bulged = image_size(1 / 2000.0, sight), hollow = image_size(-1 / 2000.0, sight);
     EXPECT_NEAR(bulged, 0.25, 1e-15);
     EXPECT_NEAR(hollow, -0.5, 1e-15);
-    EXPECT_NEAR(break_of_curvatures(1 / 2000.0, -1 / 2000.0, sight), 0.75 / 2 * lamp_width, 1e-12);
+    EXPECT_NEAR(break_of_curvatures(1 / 2000.0, -1 / 2000.0, sight), 0.75 * lamp_width, 1e-12);
+}
+
+TEST(ReflectionBreak, PoolsLengthsByTheirBreaksToAPower) {
+    EXPECT_NEAR(break_of_pooled(pooled(7, pooling_length)), 7, 1e-12);
+    EXPECT_NEAR(break_of_pooled(8 * pooled(7, 30) + 8 * pooled(7, 30)), 14, 1e-12) << "8 = 2 cubed";
+    EXPECT_EQ(break_of_pooled(0), 0);
 }
 
 TEST(ReflectionBreak, OfAGapIsItsOwnWidth) {
@@ -138,7 +145,7 @@ TEST(ReflectionBreak, BesideAFilletThereIsNoStripeThatChanges) {
     const double fillet = break_of_curvatures(0, 1 / 15.0, sight);
     EXPECT_LT(fillet, 0.005 * lamp_width);
     EXPECT_LT(fillet, break_of_angle(0.01, 0, sight));
-    EXPECT_GT(break_of_curvatures(0, 1 / 2000.0, sight), 0.15 * lamp_width);
+    EXPECT_GT(break_of_curvatures(0, 1 / 2000.0, sight), 0.7 * lamp_width);
 }
 
 TEST(ReflectionBreak, OfAGapIsAtMostALamp) {

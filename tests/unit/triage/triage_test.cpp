@@ -28,8 +28,9 @@ TEST(Triage, OrdersFaultsByWhatIsSeen) {
     ASSERT_EQ(found.triage.items.size(), 3u);
     EXPECT_TRUE(found.triage.hidden.empty());
     EXPECT_NEAR(found.angle_of(found.triage.items[0]), 0.9, 1e-9);
-    EXPECT_NEAR(found.angle_of(found.triage.items[1]), 0.3, 1e-9);
-    EXPECT_NEAR(found.angle_of(found.triage.items[2]), 2, 1e-9);
+    // 20 mm of 2 degrees weigh as 400 mm of 2 / 20^(1/3), or 0.74 degrees.
+    EXPECT_NEAR(found.angle_of(found.triage.items[1]), 2, 1e-9);
+    EXPECT_NEAR(found.angle_of(found.triage.items[2]), 0.3, 1e-9);
     for (const TriageItem& item : found.triage.items) {
         EXPECT_EQ(item.mending, Mending::tangent);
         EXPECT_NEAR(item.width, 60 * 2 * found.angle_of(item), 1e-6) << "of plane sheets";
@@ -52,8 +53,9 @@ TEST(Triage, FaultsInsideABoxAreHidden) {
     EXPECT_GE(place.x, 1000);
 }
 
-/// The weight is the width over the length, both as an eye sees them.
-TEST(Triage, WeightsAreSolidAngles) {
+/// A break of 60 arc minutes along a length weighs as along a degree by the cube root of the
+/// length.
+TEST(Triage, WeightsArePooledAlongTheLength) {
     ModelBuilder builder;
     bent_pair(builder, {0, 0, 0}, 100, 0.5);
     const SurfaceModel model = builder.build();
@@ -63,10 +65,10 @@ TEST(Triage, WeightsAreSolidAngles) {
     const Sight sight = FindingSights(model, tracer, inspection).of_stretches(first)[0];
     const Triage found = triage(model, tracer, inspection, {});
     ASSERT_EQ(found.items.size(), 1u);
-    EXPECT_EQ(found.items[0].weight, sight.weight[sight.best_view()]);
+    EXPECT_EQ(found.items[0].weight, break_of_pooled(sight.weight[sight.best_view()]));
     // From 3 to 6 m, 100 mm are seen in at most 60 x 57.3 x 100 / 3000 arc minutes.
-    EXPECT_LT(found.items[0].weight, 60 * 115);
-    EXPECT_GT(found.items[0].weight, 60 * 57);
+    EXPECT_LT(found.items[0].weight, 60 * std::cbrt(115 / 60.0));
+    EXPECT_GT(found.items[0].weight, 60 * std::cbrt(57 / 60.0));
 }
 
 TEST(Triage, CreasesCountByTheirGapAlone) {
@@ -169,14 +171,13 @@ TriageItem fault_of_radii(double before, double after) {
 TEST(Triage, ACurvatureThatChangesItsSignIsSeen) {
     const TriageItem item = fault_of_radii(2000, -2000);
     EXPECT_EQ(item.mending, Mending::curvature);
-    // A standing eye is 3.5 m away and sees it at c = 0.47: 1 / (1 + 7.4) and 1 / (1 - 7.4), of
-    // whose difference three quarters count.
-    EXPECT_NEAR(item.width, 0.21 * lamp_width, 0.01 * lamp_width);
-    EXPECT_GT(item.weight, 300);
+    // A standing eye is 3.5 m away and sees it at c = 0.47: 1 / (1 + 7.4) and 1 / (1 - 7.4).
+    EXPECT_NEAR(item.width, 0.275 * lamp_width, 0.01 * lamp_width);
+    EXPECT_GT(item.weight, 3);
 }
 
 TEST(Triage, AHollowPlaceBreaksMoreThanABulgedOne) {
-    // By the formula 0.090 and 0.052 of a lamp's width.
+    // By the formula 0.21 and 0.09 of a lamp's width.
     EXPECT_GT(fault_of_radii(2000, 4000).width, 1.6 * fault_of_radii(-2000, -4000).width);
     EXPECT_NEAR(fault_of_radii(-4000, -2000).width, fault_of_radii(-2000, -4000).width, 1e-6);
 }
@@ -201,7 +202,7 @@ TEST(Triage, FindingsOfAFaceCountByWhatTheyAskFor) {
     ASSERT_EQ(found.items.size(), 2u);
     EXPECT_EQ(found.items[0].mending, Mending::curvature);
     EXPECT_EQ(found.items[0].findings, std::vector<std::size_t>{1});
-    EXPECT_GT(found.items[0].weight, 100);
+    EXPECT_GT(found.items[0].weight, 50);
     EXPECT_EQ(found.items[1].mending, Mending::layout);
     EXPECT_EQ(found.items[1].weight, 0);
 }

@@ -107,7 +107,8 @@ struct ShownItem {
     Vec3 place{0};                     ///< the worst one, world, mm
 };
 
-/// The first faults of the triage; without any, the worst stretches of seams. Refers to the report.
+/// The first faults of the triage; without any, the worst stretches of seams. Jumps that no eye
+/// resolves are the last of them where most stretches are among those. Refers to the report.
 std::vector<ShownItem> shown_items(const Report& report);
 
 /// The stretches that the first screen shows, then the worst that do not pass: `most` at most.

@@ -4,8 +4,10 @@
 #include "keiko/triage/reflection_break.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace keiko {
@@ -22,6 +24,22 @@ std::string effect_of(const TriageItem& fault) {
         return "changes a stripe's width by at most " + width + ", less than an eye resolves";
     if (fault.mending == Mending::position) return "counts as a tear of a stripe by " + width;
     return (fault.torn ? "tears a stripe by up to " : "changes a stripe's width by up to ") + width;
+}
+
+/// The mending of a fault in words.
+std::string_view task_of(const TriageItem& fault) {
+    if (fault.fine) return "a matter of design";
+    switch (fault.mending) {
+        case Mending::position:
+            return "mend the position";
+        case Mending::tangent:
+            return "mend the tangent";
+        case Mending::curvature:
+            return "mend the curvature";
+        case Mending::layout:
+            break;
+    }
+    return "mend the layout";
 }
 
 /// ", 96 % of it visible"; empty where all is.
@@ -41,13 +59,15 @@ std::string short_text(const Check& check) {
     return check.message;
 }
 
-/// The findings of a fault in the order of its stretches, those of faces after them.
-std::vector<const Check*> widest_first(const TriageItem& fault, const Inspection& inspection) {
+/// The findings of a fault, those that are to be mended first and those furthest beyond their
+/// limits before the others.
+std::vector<const Check*> first_to_mend(const TriageItem& fault, const Inspection& inspection) {
     std::vector<const Check*> checks;
     for (const std::size_t number : fault.findings)
         checks.push_back(&numbered_check(inspection, number));
-    const auto rank = [&](const Check* check) {
-        return std::find(fault.seams.begin(), fault.seams.end(), check->seam);
+    const auto rank = [](const Check* check) {
+        const double share = share_of_limit(check->worst);
+        return std::pair(mending_of(*check), std::isnan(share) ? 0 : -share);
     };
     std::stable_sort(checks.begin(), checks.end(),
                      [&](const Check* a, const Check* b) { return rank(a) < rank(b); });
@@ -62,6 +82,12 @@ std::string_view third(double at, double lower, double upper, std::string_view l
 }
 
 } // namespace
+
+std::string message_of_worst(const Check& worst) {
+    if (!(worst.opening_length > 0)) return worst.message;
+    return "no surface between free edges, " + short_number(worst.worst.value, 3) + " x " +
+           short_number(worst.opening_length, 3) + " mm: build what is missing";
+}
 
 std::string fault_title(const TriageItem& fault, const Inspection& inspection) {
     if (fault.fine) return "Curvature jumps (G2), too fine for an eye";
@@ -100,7 +126,7 @@ std::string words_of_view(const std::string& view) {
 
 std::string sight_text(const TriageItem& fault) {
     constexpr double least_width = 0.05; // arc minutes
-    std::string text = "mend the " + std::string(name_of(fault.mending));
+    std::string text(task_of(fault));
     if (fault.width >= least_width)
         text += " · " + effect_of(fault) + ", seen from " + words_of_view(fault.view);
     if (!fault.seams.empty())
@@ -108,14 +134,14 @@ std::string sight_text(const TriageItem& fault) {
                 std::to_string(fault.seams.size()) +
                 (fault.seams.size() == 1 ? " seam" : " seams") + visible_text(fault.visible);
     if (fault.mirrored) text += " · on both sides";
-    return text + " · weight " + fixed_number(fault.weight, fault.weight < 10 ? 1 : 0);
+    return text + " · weight " + fixed_number(fault.weight, fault.weight < 10 ? 1 : 0) + "′";
 }
 
 std::string also_text(const TriageItem& fault, const Inspection& inspection) {
     constexpr std::size_t most = 5;
     std::set<std::string> named{numbered_check(inspection, fault.findings.front()).faces};
     std::string text;
-    for (const Check* check : widest_first(fault, inspection)) {
+    for (const Check* check : first_to_mend(fault, inspection)) {
         if (!named.insert(check->faces).second) continue;
         if (named.size() <= most + 1)
             text += (text.empty() ? "also " : "; ") + check->faces + ": " + short_text(*check);

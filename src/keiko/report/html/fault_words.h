@@ -11,6 +11,9 @@ namespace keiko {
 /// breaks.
 std::string fault_title(const TriageItem& fault, const Inspection& inspection);
 
+/// The message of a fault's worst finding; of a hole its size.
+std::string message_of_worst(const Check& worst);
+
 /// The third of a body's box in which a place lies: "rear right, high". x points to the rear, y to
 /// the right and z up.
 std::string words_of_place(const Vec3& place, const Box3& body);
@@ -19,7 +22,7 @@ std::string words_of_place(const Vec3& place, const Box3& body);
 std::string words_of_view(const std::string& view);
 
 /// A fault as an eye sees it: "mend the tangent · tears a stripe by up to 2.8′ (arc minutes), seen
-/// from left · 271.5 mm on 3 seams · weight 12".
+/// from left · 271.5 mm on 3 seams · weight 12′".
 std::string sight_text(const TriageItem& fault);
 
 /// The other findings of a fault, one of each seam or face: "also face 2 | face 47: kink of

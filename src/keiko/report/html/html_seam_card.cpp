@@ -175,7 +175,7 @@ std::string html_seam_card(const Report& report, std::size_t rank, const ShownIt
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" + heading +
            "seam " + std::to_string(index + 1) + " · " + html_escaped(seam.faces) + "</div>" +
            note + "<div class=\"soft small\">at " + place_with_axes(item.place) +
-           irregular_note(seam) + " · " + fixed_number(seam.length, 1) + " mm long" +
+           irregular_note(seam) + " · seam of " + fixed_number(seam.length, 1) + " mm" +
            kind_note(seam) + "</div><div class=\"measures\">" + gap_measure(seam) +
            angle_measure(seam) + curvature_measure(seam, shown) +
            slope_measure(seam, limits_of(report.inspection, seam)) + fading_measure(seam) +

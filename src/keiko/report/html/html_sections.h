@@ -41,6 +41,8 @@ std::string html_gallery(const Report& report);
 std::string html_lines(const Report& report);
 /// The faults to mend first, or else the worst seams, each with its measures against their limits.
 std::string html_first_screen(const Report& report);
+/// The faults that the first screen leaves out, in a table; empty without any.
+std::string html_more_faults(const Report& report);
 /// A stretch of a seam with its measures against their limits; `heading`, before its name, and
 /// `note`: fragments on its fault.
 std::string html_seam_card(const Report& report, std::size_t rank, const ShownItem& item,

@@ -2,8 +2,10 @@
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
+#include <span>
 
 namespace keiko {
 namespace {
@@ -30,7 +32,7 @@ std::string card(const Report& report, std::size_t rank, const ShownItem& item,
     return "<div class=\"card seam " + std::string(outcome_of(worst)) + "\"><div class=\"rank\">" +
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
            heading(*item.fault, whole) + html_escaped(worst.faces) + "</div>" +
-           sight_note(*item.fault) + "<div>" + html_escaped(worst.message) + "</div>" +
+           sight_note(*item.fault) + "<div>" + html_escaped(message_of_worst(worst)) + "</div>" +
            also_note(*item.fault, whole) + "<div class=\"soft small\">at " +
            place_with_axes(worst.worst.place) + "</div></div>" +
            html_close_up(report, CloseUp::Of::face, item.face, item.place) + "</div>\n";
@@ -52,13 +54,25 @@ std::string looks_line(const Triage& triage, const Inspection& whole) {
     return "<p class=\"soft\">Worth a look besides, not judged: " + html_escaped(text) + ".</p>";
 }
 
+/// A row of a table of faults.
 std::string row(std::size_t number, const TriageItem& fault, const Check& worst) {
     return "<tr class=\"" + std::string(outcome_of(worst)) + "\">" +
            html_cell(std::to_string(number), std::to_string(number)) +
            html_words_cell(worst.faces) + html_words_cell(std::string(name_of(fault.mending))) +
-           html_words_cell(worst.message) +
+           html_words_cell(message_of_worst(worst)) +
            html_number_cell(fault.length, fixed_number(fault.length, 1), true) +
            html_place_cell(worst.worst.place) + "</tr>\n";
+}
+
+/// Faults in a table, numbered from `first` on; empty without any.
+std::string table_of(std::span<const TriageItem> faults, std::size_t first,
+                     const Inspection& whole) {
+    if (faults.empty()) return "";
+    std::string html =
+        html_table_head({"#", "faces", "mend", "what", "length mm", "place x, y, z"}, "faces");
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        html += row(first + i, faults[i], numbered_check(whole, faults[i].findings.front()));
+    return html + std::string(html_table_end);
 }
 
 } // namespace
@@ -66,16 +80,16 @@ std::string row(std::size_t number, const TriageItem& fault, const Check& worst)
 std::string html_first_screen(const Report& report) {
     const std::vector<ShownItem> items = shown_items(report);
     if (items.empty()) return "";
-    const std::size_t faults = report.triage.items.size();
     const Inspection whole = whole_inspection(report);
-    std::string html = faults > 0
-                           ? "<section><h2>What to mend first</h2><p class=\"soft\">Faults by what "
-                             "an eye sees of them from the standing views: how far the reflection "
-                             "of a lamp breaks, over the visible length; the weight is both, in "
-                             "square arc minutes. A change of a stripe's width counts a sixth of a "
-                             "tear. A gap counts as the angle that is as far over its limit, and "
-                             "a hole too.</p>"
-                           : "<section><h2>Worst stretches of seams</h2>";
+    std::string html =
+        !report.triage.items.empty()
+            ? "<section><h2>What to mend first</h2><p class=\"soft\">Faults by what "
+              "an eye sees of them from the standing views: how far the reflection "
+              "of a lamp breaks. The weight is the break, in arc minutes, that is as "
+              "easily seen along one degree. A change of a stripe's width counts a "
+              "twelfth of a tear. A gap counts as the angle that is as far over its "
+              "limit, and a hole too.</p>"
+            : "<section><h2>Worst stretches of seams</h2>";
     html += html_figures(report.standing_pictures) + "<div class=\"worst\">\n";
     for (std::size_t i = 0; i < items.size(); ++i) {
         const ShownItem& item = items[i];
@@ -87,24 +101,29 @@ std::string html_first_screen(const Report& report) {
                       item.fault ? sight_note(*item.fault) + also_note(*item.fault, whole) : "");
     }
     html += "</div>";
-    if (faults > items.size())
-        html += "<p class=\"soft\">" + std::to_string(faults - items.size()) +
-                " more stand among the findings below.</p>";
     return html + looks_line(report.triage, whole) + "</section>\n";
+}
+
+std::string html_more_faults(const Report& report) {
+    const std::vector<ShownItem> shown = shown_items(report);
+    std::vector<TriageItem> others;
+    for (const TriageItem& fault : report.triage.items)
+        if (std::none_of(shown.begin(), shown.end(),
+                         [&](const ShownItem& item) { return item.fault == &fault; }))
+            others.push_back(fault);
+    return html_section("What comes after them",
+                        table_of(others, shown.size() + 1, whole_inspection(report)));
 }
 
 std::string html_hidden(const Report& report) {
     const std::vector<TriageItem>& hidden = report.triage.hidden;
     if (hidden.empty()) return "";
-    const Inspection whole = whole_inspection(report);
-    std::string html =
-        "<section><h2>Faults in hidden places</h2><p class=\"soft\">No standing view shows more "
-        "than a hundredth of their length from outside: flanges, hems, inner sides. Findings "
-        "among them have their part in the verdict.</p>" +
-        html_table_head({"#", "faces", "mend", "what", "length mm", "place x, y, z"}, "faces");
-    for (std::size_t i = 0; i < hidden.size(); ++i)
-        html += row(i + 1, hidden[i], numbered_check(whole, hidden[i].findings.front()));
-    return html + std::string(html_table_end) + "</section>\n";
+    return html_section(
+        "Faults in hidden places",
+        "<p class=\"soft\">No standing view shows more than a hundredth of their length from "
+        "outside: flanges, hems, inner sides. Findings among them have their part in the "
+        "verdict.</p>" +
+            table_of(hidden, 1, whole_inspection(report)));
 }
 
 } // namespace keiko
