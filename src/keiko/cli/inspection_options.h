@@ -89,8 +89,15 @@ public:
     /// Adds every requested file.
     void add_to(FileTransaction& batch, const Inspection& inspection) const;
 
+    /// The folder that -o names for a shard. Throws Error unless it names one place.
+    std::filesystem::path folder() const;
+    /// A file of each format for a folder: inspection.json, junit.xml, findings.sarif and
+    /// findings.csv.
+    static FolderContent every_format(const Inspection& inspection);
+
 private:
     enum class Format { json, junit, sarif, csv };
+    static std::string text_of(Format format, const Inspection& inspection);
     struct File {
         std::filesystem::path path;
         Format format;
