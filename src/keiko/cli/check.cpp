@@ -117,7 +117,7 @@ int check_shard(const CheckArguments& arguments, const CLI::App& command, const 
     const CheckOptions options = check_options(arguments);
     PartsOptions parts = parts_options(command, arguments.shard, arguments.models.inputs, output);
     parts.load = options.load;
-    parts.settings += options.acceptances.today;
+    parts.settings += arguments.accepted.day();
     const JudgePart judge = [&](const std::filesystem::path& model, const std::filesystem::path&,
                                 const Job& inner) { return check_part(options, model, inner); };
     return tell_parts(run_parts(parts, judge, arguments.shard.job(job)), output);

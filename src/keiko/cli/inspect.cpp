@@ -163,7 +163,7 @@ int inspect_shard(InspectArguments arguments, const CLI::App& command, const Job
     PartsOptions parts =
         parts_options(command, arguments.shard, arguments.scene.inputs, arguments.output);
     parts.load = arguments.scene.scene_options().load;
-    parts.settings += arguments.options.acceptances.today;
+    parts.settings += arguments.accepted.day();
     const JudgePart judge = [&](const std::filesystem::path& model,
                                 const std::filesystem::path& folder, const Job& inner) {
         return inspect_part(arguments, model, folder, inner);

@@ -129,6 +129,8 @@ public:
     const std::filesystem::path& file() const { return file_; }
     /// Its acceptances; none without a file. Throws Error.
     AcceptanceList list() const;
+    /// Day on which results depend; empty without a file.
+    std::string day() const { return file_.empty() ? "" : today_.date(); }
 
 private:
     std::filesystem::path file_;
