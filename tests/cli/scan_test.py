@@ -115,7 +115,7 @@ class Scan(KeikoTest):
         self.assertIn("aligned: turned by ", run.stdout)
 
     def test_a_plane_is_not_shifted_in_itself(self):
-        tilted = [(x + 3, y - 2, 0.01 * x + 1) for x, y, _ in POINTS[::50]]
+        tilted = [(x + 3, y + 2, 0.01 * x + 1) for x, y, _ in POINTS[::50]]
         run = self.keiko("compare", "-q", "plate.bpt", self.scan("a.xyz", xyz(tilted)), "--json", "a.json")
         self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
         alignment = json.loads((self.folder / "a.json").read_text())["alignment"]

@@ -49,7 +49,9 @@ public:
             if (counts_ && !counts_(pieces_.face(sub_patch))) return material_;
             const std::optional<Foot> known =
                 sub_patch == first_ ? std::optional(first_foot_) : std::nullopt;
-            look({sub_patch, view(sub_patch), unit_square, pieces_.bounds[sub_patch], 0}, known);
+            const double size = pieces_.sub_patches.sub_patches[sub_patch].radius * 2;
+            look({sub_patch, view(sub_patch), unit_square, pieces_.bounds[sub_patch], 0, size, 0},
+                 known);
             return material_;
         });
         if (trimmed_ < material_) look_at_borders();
@@ -71,6 +73,8 @@ private:
         BezierPatchView view;
         Box2 box;                  ///< of the sub-patch's parameters
         const PieceBounds& bounds; ///< of the part
+        double nearest;            ///< mm: no point of it is nearer, as far as is known
+        double size;               ///< mm, at least that of its box
         int halved;
     };
 
@@ -86,26 +90,31 @@ private:
     /// one of the part, too, if it lies there.
     void look(const Part& part, std::optional<Foot> known) {
         const Vec3 place = local(part.sub_patch);
-        double nearest = part.bounds.nearest(place);
-        if (nearest + least_gain >= material_) return;
-        const Box3 hull = hull_bounds(part.view);
-        nearest = std::max(nearest, (hull.nearest(place) - place).length());
+        const double nearest = std::max(part.nearest, part.bounds.nearest(place));
         if (nearest + least_gain >= material_) return;
         if (!known || !part.box.contains(known->uv))
             known = project(part.sub_patch, part.view, part.box, Vec2(0.5));
         if (known->converged && part.bounds.proves(known->off)) return;
-        if (hull.size() < small_piece * nearest || part.halved == most_halvings) {
+        if (part.size < small_piece * nearest || part.halved == most_halvings) {
             unproved_ = std::min(unproved_, nearest);
             return;
         }
+        look_at_halves(part, place, known);
+    }
+
+    void look_at_halves(const Part& part, const Vec3& place, const std::optional<Foot>& known) {
         const unsigned axis = longer_side(part.view);
         for (const bool upper : {false, true}) {
             Box2 half = part.box;
             (upper ? half.lower : half.upper)[axis] = part.box.center()[axis];
             const std::vector<Vec4> points = subpatch(view(part.sub_patch), half);
             const BezierPatchView half_view{part.view.degree_u, part.view.degree_v, points};
-            const PieceBounds bounds(sub_patch_frame(half_view));
-            look({part.sub_patch, half_view, half, bounds, part.halved + 1}, known);
+            const Box3 hull = hull_bounds(half_view);
+            const double away = (hull.nearest(place) - place).length();
+            if (away + least_gain >= material_) continue;
+            const PieceBounds bounds(sub_patch_frame(half_view)); // dearer than all before
+            look({part.sub_patch, half_view, half, bounds, away, hull.size(), part.halved + 1},
+                 known);
         }
     }
 

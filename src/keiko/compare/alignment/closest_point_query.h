@@ -13,15 +13,14 @@ namespace KEIKO_API keiko {
 
 /// The point of a body's material that is nearest to a given point.
 struct ClosestSurfacePoint {
-    std::uint32_t face = 0; ///< into the faces of the PlacedModel
-    Vec3 position{0};       ///< world, mm
-    Vec3 normal{0};         ///< unit, outward as the file has it; 0 where there is none
-    double distance = 0;    ///< mm
-    double nearest = 0;     ///< mm: nothing of the material is nearer than this, by proof
-    bool on_border = false; ///< the point lies beyond the border of a face
-    /// Of the ClosestPointQuery and its parameters, in [0, 1]^2; of no meaning on a border.
-    std::uint32_t piece = 0;
-    Vec2 uv{0};
+    std::uint32_t face = 0;  ///< into the faces of the PlacedModel
+    Vec3 position{0};        ///< world, mm
+    Vec3 normal{0};          ///< unit, outward as the file has it; 0 where there is none
+    double distance = 0;     ///< mm
+    double nearest = 0;      ///< mm: nothing of the material is nearer than this, by proof
+    bool on_border = false;  ///< the point lies beyond the border of a face
+    std::uint32_t piece = 0; ///< of ClosestPointQuery; of no meaning on a border
+    Vec2 uv{0};              ///< of the piece, [0, 1]^2; of no meaning on a border
 
     /// Whether the distance is proved to within `tolerance` mm.
     bool certain(double tolerance) const { return distance - nearest <= tolerance; }

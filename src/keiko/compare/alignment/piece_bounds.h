@@ -10,9 +10,9 @@ namespace keiko {
 /// points.
 ///
 /// Between two points of the piece whose parameters differ by d, the chord is at least a |d| long.
-/// Along any vector it deviates from the tangent by at most b |d|^2 / 2. So a point p with a
-/// critical point q of its distance has |p - s|^2 >= |p - q|^2 + (a^2 - b) |d|^2 for every other
-/// point s of the piece, with b along p - q: if b <= a^2, q is nearest.
+/// Along any vector it deviates from the tangent by at most b |d|^2 / 2. Let q be a critical point
+/// of the distance to p, and b be that along p - q. Every other point s of the piece has
+/// |p - s|^2 >= |p - q|^2 + (a^2 - b) |d|^2. If b <= a^2, q is nearest.
 class PieceBounds {
 public:
     /// Proves nothing.
@@ -20,7 +20,7 @@ public:
     /// Bounds of the piece that a frame was made of; those of an irregular frame prove nothing.
     explicit PieceBounds(const SubPatchFrame& frame);
 
-    /// mm: no point of the piece is nearer to p than this, but for rounding.
+    /// mm: no point of the piece is nearer to p than this, to rounding.
     double nearest(const Vec3& p) const;
     /// Whether a critical point of the distance to the piece, or to a part of it, is proved nearest
     /// there. `off`: the way from it to the place.

@@ -16,8 +16,8 @@ namespace {
 
 /// Two for each unknown of a rigid motion, so that the residual says something.
 constexpr std::size_t least_points = 12;
-/// Share of the trace of the normal matrix below which a motion is free: it changes distances by
-/// about a thousandth of its length, so that a deviation of 0.03 mm could move the scan by 30 mm.
+/// Share of the trace of the normal matrix below which a motion is free. It changes distances by
+/// about a thousandth of its length: a deviation of 0.03 mm could move the scan by 30 mm.
 constexpr double free_share = 1e-6;
 /// Share of the points that the search for a start is made by.
 constexpr double trimmed_share = 0.7;
