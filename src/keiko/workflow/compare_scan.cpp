@@ -38,12 +38,6 @@ PointAlignment aligned(std::span<const Vec3> points, const ClosestPointQuery& no
     throw Error(options.scan, error.field(), error.reason());
 }
 
-std::string source_of(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const std::filesystem::path& input : scene.inputs) names.push_back(input.string());
-    return comma_list(names);
-}
-
 /// Draws the map of each view. Adds views and pictures to the comparison.
 void draw_maps(const Scene& nominal, std::span<const PointDeviation> points,
                const ScanViewsOptions& options, ScanComparison& comparison, JobSteps& steps) {

@@ -2,6 +2,8 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/job_steps.h"
+#include "keiko/base/text.h"
+#include "keiko/files/scene/material_file.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
@@ -64,12 +66,19 @@ void Scene::set_picture_size(int wide, int high) {
     if (camera) camera->width = wide, camera->height = high;
 }
 
-Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
-                 const Job& job) {
-    const SceneSpec spec = spec_of(inputs, options.material, options.frame);
-    constexpr double reading = 3, building = 1, following = 1;
-    JobSteps steps(job, reading + building + (options.analysis ? following : 0));
-    auto [body, materials] = read_body(spec, options.load, steps.next(reading));
+namespace {
+
+/// Weights of the steps of opening a scene.
+constexpr double reading = 3, building = 1, following = 1;
+
+double weight_of_preparing(const SceneOptions& options) {
+    return building + (options.analysis ? following : 0);
+}
+
+/// The scene of a body that has been read.
+Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& options,
+               JobSteps& steps) {
+    auto& [body, materials] = painted;
     Traced all = traced(body, materials, spec.ground, options, steps.next(building));
     Scene scene{.model = std::move(body),
                 .materials = std::move(materials),
@@ -83,10 +92,34 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
                 .height = spec.height,
                 .surroundings = std::move(all.surroundings),
                 .max_depth = spec.max_depth,
-                .min_weight = spec.min_weight,
-                .inputs = {inputs.begin(), inputs.end()}};
+                .min_weight = spec.min_weight};
     if (options.analysis) take_analysis(scene, *options.analysis, steps.next(following));
     return scene;
+}
+
+} // namespace
+
+Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
+                 const Job& job) {
+    const SceneSpec spec = spec_of(inputs, options.material, options.frame);
+    JobSteps steps(job, reading + weight_of_preparing(options));
+    PaintedBody body = read_body(spec, options.load, steps.next(reading));
+    Scene scene = prepared(std::move(body), spec, options, steps);
+    scene.inputs = {inputs.begin(), inputs.end()};
+    return scene;
+}
+
+Scene scene_of_model(SurfaceModel body, const SceneOptions& options, const Job& job) {
+    const SceneSpec spec = spec_of({}, options.material);
+    JobSteps steps(job, weight_of_preparing(options));
+    std::vector<Material> materials(body.faces.size(), named_material(options.material));
+    return prepared({std::move(body), std::move(materials)}, spec, options, steps);
+}
+
+std::string source_of(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& input : scene.inputs) names.push_back(input.string());
+    return names.empty() ? scene.model.source : comma_list(names);
 }
 
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {

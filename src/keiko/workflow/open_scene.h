@@ -88,6 +88,13 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options = {});
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options = {},
                  const Job& job = {});
 
+/// The scene of a body that has been read, in the named material. `load` of the options is not
+/// read. Throws Error for an unknown material, and for an analysis that hides every face.
+Scene scene_of_model(SurfaceModel body, const SceneOptions& options = {}, const Job& job = {});
+
+/// The files that a scene was opened from, or else the source of its body.
+std::string source_of(const Scene& scene);
+
 /// The scene with its body moved; ground, lamps and camera stay. `options` are those by which it
 /// was opened.
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options = {},
