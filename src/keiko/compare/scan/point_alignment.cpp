@@ -48,10 +48,12 @@ Pull pull_of(const std::optional<ClosestSurfacePoint>& foot, const Vec3& place) 
 
 /// The scan before the surface at one motion.
 struct Fit {
-    RigidStep step;       ///< of the weighted distances
-    double deviation = 0; ///< mm, robust standard deviation of the distances
-    double residual = 0;  ///< mm, root mean square distance of the points used
-    std::size_t used = 0; ///< points of a weight above 0
+    Affine motion;
+    RigidStep step;         ///< of the weighted distances
+    double deviation = 0;   ///< mm, robust standard deviation of the distances
+    double residual = 0;    ///< mm, root mean square distance of the points used
+    std::size_t used = 0;   ///< points of a weight above 0
+    bool converged = false; ///< the next step is rounding, or nothing beside the deviation
 };
 
 /// The standard deviation of a normal distribution whose median size this is.
@@ -107,35 +109,32 @@ public:
           left_(most_steps),
           job_(job) {}
 
-    PointAlignment from(Affine motion) {
-        Fit fit = improve(motion);
+    PointAlignment from(const Affine& start) {
+        Fit fit = improved(start);
         const auto free = fit.step.free_twists(free_share);
-        if (!free.empty()) {
-            motion = without(motion, fit.step, free);
-            fit = improve(motion); // what is only nearly free has lost a little
-        }
+        if (!free.empty()) // what is only nearly free loses a little without the motion
+            fit = improved(without(fit.motion, fit.step, free));
         const double sampled = static_cast<double>(points_.size());
-        PointAlignment found{alignment_of(motion, centre()),
+        PointAlignment found{alignment_of(fit.motion, centre()),
                              static_cast<double>(fit.used) / sampled,
                              free_motions(fit.step.free_twists(free_share))};
         found.rigid.residual = fit.residual, found.rigid.steps = steps_;
-        found.rigid.converged = converged_;
+        found.rigid.converged = fit.converged;
         return found;
     }
 
 private:
     /// Steps until they are rounding, or a ten-thousandth of the points' own deviation.
-    Fit improve(Affine& motion) {
+    Fit improved(Affine motion) {
         constexpr double rounding = 1e-9, of_deviation = 1e-4;
         // Farther points would come before another part of the surface.
         const double longest = 0.02 * size_;
-        converged_ = false;
         while (true) {
             Fit fit = fit_at(motion);
             RigidTwist twist = fit.step.solution(free_share);
             const double length = length_of(twist);
-            converged_ = length <= std::max(rounding * size_, of_deviation * fit.deviation);
-            if (converged_ || left_ == 0) return fit;
+            fit.converged = length <= std::max(rounding * size_, of_deviation * fit.deviation);
+            if (fit.converged || left_ == 0) return fit;
             for (double& x : twist) x *= std::min(1.0, longest / length);
             motion = fit.step.motion(twist) * motion;
             --left_, ++steps_;
@@ -154,7 +153,7 @@ private:
         });
         const double deviation = robust_deviation(pulls);
         const std::vector<double> weights = weights_of(pulls, deviation);
-        Fit fit{centred_step(places, weights), deviation};
+        Fit fit{motion, centred_step(places, weights), deviation};
         for (std::size_t i = 0; i < places.size(); ++i) {
             if (!(weights[i] > 0)) continue;
             fit.step.add(places[i], pulls[i].normal, pulls[i].distance, weights[i]);
@@ -196,7 +195,6 @@ private:
     double size_; ///< mm, of the nominal
     int left_;    ///< steps
     int steps_ = 0;
-    bool converged_ = false;
     const Job& job_;
 };
 
