@@ -26,17 +26,16 @@ struct Traced {
     std::optional<Occluders> occluders{};
 };
 
-/// `around`: the ground goes around it; nullopt: around the body.
 Traced traced(const SurfaceModel& body, const std::vector<Material>& materials,
-              const std::optional<GroundSpec>& ground, const SceneOptions& options, const Job& job,
-              const std::optional<Box3>& around = {}) {
+              const std::optional<GroundSpec>& ground, const SceneOptions& options,
+              const Job& job) {
     const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
     Traced all{Tracer(body, tracing, job)};
     if (!ground) {
         if (options.shadows) all.occluders.emplace(body, all.tracer, job);
         return all;
     }
-    const SurfaceModel seen = on_ground(body, around.value_or(all.tracer.bounds()), ground->z);
+    const SurfaceModel seen = on_ground(body, all.tracer.bounds(), ground->z);
     all.surroundings = Surroundings{ground->z, materials, Tracer(seen, tracing, job)};
     all.surroundings->materials.push_back(ground->material);
     if (options.shadows) all.occluders.emplace(seen, all.surroundings->tracer, job);
@@ -132,26 +131,9 @@ Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options
     return scene;
 }
 
-Scene scene_of_body(const Scene& scene, SurfaceModel body, const Job& job) {
-    SceneOptions options;
-    options.shadows = scene.occluders.has_value();
-    Traced all =
-        traced(body, scene.materials, ground_of(scene), options, job, scene.tracer.bounds());
-    return {.model = std::move(body),
-            .materials = scene.materials,
-            .tracer = std::move(all.tracer),
-            .occluders = std::move(all.occluders),
-            .camera = scene.camera,
-            .view = scene.view,
-            .rig = scene.rig,
-            .background = scene.background,
-            .width = scene.width,
-            .height = scene.height,
-            .surroundings = std::move(all.surroundings),
-            .max_depth = scene.max_depth,
-            .min_weight = scene.min_weight,
-            .inputs = scene.inputs,
-            .analysis = scene.analysis};
+SurfaceModel visible_model(const Scene& scene, SurfaceModel body) {
+    if (!scene.surroundings) return body;
+    return on_ground(body, scene.tracer.bounds(), scene.surroundings->ground);
 }
 
 PictureOptions picture_options(const Scene& scene, PictureOptions options) {
@@ -162,7 +144,12 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options) {
 
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  PictureOptions options, const Job& job) {
-    Film film = render(scene.picture(rig), camera, picture_options(scene, std::move(options)), job);
+    return render_part(scene, scene.picture(rig), camera, std::move(options), job);
+}
+
+Film render_part(const Scene& scene, const PictureScene& part, const Camera& camera,
+                 PictureOptions options, const Job& job) {
+    Film film = render(part, camera, picture_options(scene, std::move(options)), job);
     if (const auto layer = film.aovs.find(Aov::face); layer != film.aovs.end())
         for (float& value : layer->second.values)
             if (value >= 0)

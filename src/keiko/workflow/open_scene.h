@@ -100,12 +100,15 @@ std::string source_of(const Scene& scene);
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options = {},
                   const Job& job = {});
 
-/// The scene with another body, which has as many faces, of the same materials. Ground, lamps and
-/// camera stay.
-Scene scene_of_body(const Scene& scene, SurfaceModel body, const Job& job = {});
+/// The visible geometry of a scene with another body in place of its own: that body and the ground.
+SurfaceModel visible_model(const Scene& scene, SurfaceModel body);
 
 /// Renders one picture of the scene under a rig.
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
+                 PictureOptions options = {}, const Job& job = {});
+
+/// Renders one picture of a part of a scene; see seen_without.
+Film render_part(const Scene& scene, const PictureScene& part, const Camera& camera,
                  PictureOptions options = {}, const Job& job = {});
 
 /// Renders one picture that tone_mapped() will show: PictureOptions::white is about the film's own
