@@ -14,6 +14,7 @@ install(DIRECTORY lightrigs/ DESTINATION ${data_folder}/rigs COMPONENT runtime
   PATTERN presets EXCLUDE PATTERN README.md EXCLUDE)
 install(DIRECTORY lightrigs/presets DESTINATION ${data_folder} COMPONENT runtime)
 install(DIRECTORY docs/schema DESTINATION ${data_folder} COMPONENT runtime)
+install(FILES src/cmake/slurm/keiko-array.sbatch DESTINATION ${data_folder} COMPONENT runtime)
 
 install(CODE "
   include(${PROJECT_SOURCE_DIR}/src/cmake/public_headers.cmake)

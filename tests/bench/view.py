@@ -5,6 +5,7 @@ usage: tests/bench/view.py KEIKO [SCENE...] [--size WxH] [--rounds N]
 
 start: from the command to the address, and to the first rows of the first view. deep: a whole answer to
 POST /deep in one message, and the first of four interlaced ones and all of them. draft: half the size.
+hide and show: until all rows have come without the first face, and with it again; isolate: with that face alone.
 Each is the median of N requests on one connection, in ms; MB is the size of the whole answer. The last
 number is the server's processor time a request, which other work on the machine leaves as it is: on two
 free cores an answer takes little more than half of it.
@@ -41,14 +42,18 @@ def processor_ms(process) -> float:
     return 1e3 * (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def camera_of(connection, token: str) -> dict:
+def scene_of(connection, token: str) -> dict:
     connection.request("GET", "/scene", headers={"X-Keiko-Token": token})
-    return json.loads(connection.getresponse().read())["camera"]
+    return json.loads(connection.getresponse().read())
 
 
 def request(camera: dict, width: int, height: int, interlaced: bool) -> str:
     return (f"interlaced = {str(interlaced).lower()}\n[camera]\neye = {camera['eye']}\ntarget = {camera['target']}\n"
             f"up = {camera['up']}\nvertical_fov = {camera['vertical_fov']}\nsize = [{width}, {height}]\n")
+
+
+def hiding(faces: list) -> str:
+    return f"hidden = {faces}\n" if faces else ""
 
 
 def bench(keiko: str, scene: Path, width: int, height: int, rounds: int):
@@ -59,16 +64,19 @@ def bench(keiko: str, scene: Path, width: int, height: int, rounds: int):
         place, _, token = process.stdout.readline().strip().partition("/#token=")
         address = time.perf_counter()
         connection = http.client.HTTPConnection("127.0.0.1", int(place.rpartition(":")[2]))
-        camera = camera_of(connection, token)
+        shown = scene_of(connection, token)
+        camera, ids = shown["camera"], [face["id"] for face in shown["faces"]]
         timed(connection, token, request(camera, width, height, True))
         rows = time.perf_counter()
         busy = processor_ms(process)
         print(f"{scene.name}: start {1e3 * (address - begin):.0f} ms to the address, "
               f"{1e3 * (rows - begin):.0f} ms to all rows of the first view, {busy:.0f} ms of processors")
-        for name, w, h, interlaced in (("deep", width, height, False), ("interlaced", width, height, True),
-                                       ("draft", width // 2, height // 2, False)):
+        for name, w, h, interlaced, hidden in (("deep", width, height, False, []), ("interlaced", width, height, True, []),
+                                               ("draft", width // 2, height // 2, False, []), ("hide", width, height, True, ids[:1]),
+                                               ("show", width, height, True, []), ("isolate", width, height, True, ids[1:])):
             before = processor_ms(process)
-            times = [timed(connection, token, request(camera, w, h, interlaced)) for _ in range(rounds)]
+            body = hiding(hidden) + request(camera, w, h, interlaced)
+            times = [timed(connection, token, body) for _ in range(rounds)]
             busy = (processor_ms(process) - before) / rounds
             first, whole = (statistics.median(t[i] for t in times) for i in (0, 1))
             print(f"  {name:11} {w} x {h}: first message {first:6.1f} ms, all {whole:6.1f} ms, "

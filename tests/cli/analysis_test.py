@@ -117,6 +117,8 @@ class Commands(AnalysisTest):
         self.assertEqual([view["name"] for view in report["views"]], ["slant", "high"])
         self.assertEqual(report["views"][1]["camera"], analysis()["views"][1]["camera"])
         self.assertIn("a.json", [file["path"] for file in report["inputs"]])
+        self.assertEqual([(note["text"], note["face"]) for note in report["notes"]], [("look here", 2)])
+        self.assertIn("look here", self.bytes_of("out/report.html").decode())
         self.assertEqual(json.loads(self.bytes_of("out/combs.json"))["curves"][0]["name"], "y=120")
         self.succeed("render", HOOD, "--analysis", "a.json", "--view", "high", "--rig", "out/rig.toml", "-o", "high.png")
         self.keiko("inspect", HOOD, "--analysis", "out/analysis.json", "-o", "again", "-q")

@@ -174,6 +174,8 @@ class Errors(KeikoTest):
                    "--view", "scene")
         self.fails('keiko: --out: the column "t" stands there twice', "trace", SADDLE, "--out", "t,t")
         (self.folder / "shard").mkdir()
+        self.fails("keiko: shard: holds no shard that is done", "merge", "shard")
+        self.write("shard/regression.json", "{}")
         self.fails("keiko: --output: shard is a shard itself", "merge", "shard", "-o", "shard")
 
     def test_wrong_sizes(self):

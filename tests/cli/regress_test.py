@@ -1,4 +1,4 @@
-"""keiko regress and keiko merge: baselines, what is caught, resuming, shards."""
+"""keiko regress: baselines, what is caught, resuming."""
 import fcntl
 import json
 import os
@@ -146,8 +146,8 @@ class OutputFolders(RegressTest):
 
     def test_a_merge_that_fails_leaves_no_reports_of_an_earlier_one(self):
         self.add_fixture("a")
-        self.regress("--shard", "1/1", output="out-1")
-        self.assertEqual(self.keiko("merge", "-q", "out-1", "-o", "joined").returncode, 1)
+        self.regress("--shard", "1/1")
+        self.assertEqual(self.keiko("merge", "-q", "out", "-o", "joined").returncode, 1)
         self.assertEqual(self.keiko("merge", "-q", "nowhere", "-o", "joined").returncode, 2)
         self.assertEqual([p.name for p in (self.folder / "joined").glob("*.*")], [])
 
@@ -297,48 +297,6 @@ class Runs(RegressTest):
         (self.folder / "out/dome/candidate/metrics.json").write_text("{")
         self.assertEqual(self.regress().returncode, 0)
         self.assert_sound(self.folder / "out/dome/candidate")
-
-    def test_shards_joined_are_the_whole_run(self):
-        for name in "a", "b", "c":
-            self.add_fixture(name)
-        self.accept("b")
-        whole = self.regress(output="whole")
-        for shard in "1", "2":
-            self.regress("--shard", f"{shard}/2", output=f"out-{shard}")
-        run = self.keiko("merge", "-q", "out-2", "out-1", "-o", "joined")
-        self.assertEqual((run.returncode, run.stderr), (whole.returncode, ""))
-        self.assertEqual(run.stdout.replace("joined", "whole"), whole.stdout)
-        self.assertEqual(self.reports("joined"), self.reports("whole"))
-
-    def test_shards_that_do_not_make_a_run_are_refused(self):
-        for name in "a", "b":
-            self.add_fixture(name)
-        for shard in "1", "2":
-            self.regress("--shard", f"{shard}/2", output=f"out-{shard}")
-        self.regress("--shard", "1/3", output="other")
-        for shards, reason in ((("out-1",), "shard 2 of 2 is missing"),
-                               (("out-1", "out-1"), "as is out-1"),
-                               (("out-1", "other"), "another number of shards"),
-                               (("out-1", "nowhere"), "no such file")):
-            run = self.keiko("merge", "-q", *shards, "-o", "joined")
-            self.assertEqual((run.returncode, run.stdout), (2, ""))
-            self.assertIn(reason, run.stderr)
-        self.assertFalse((self.folder / "joined").exists())
-
-    def test_shards_of_different_files_are_refused(self):
-        models = [self.add_fixture(name) for name in ("a", "b")]
-        self.regress("--shard", "1/2", output="out-1")
-        move_point_of_dome(models[0], 1)
-        self.regress("--shard", "2/2", output="out-2")
-        run = self.keiko("merge", "-q", "out-1", "out-2", "-o", "joined")
-        self.assertEqual((run.returncode, run.stdout), (2, ""))
-        self.assertIn("files, baselines or the program were others", run.stderr)
-
-    def test_a_shard_that_is_none_is_refused(self):
-        self.add_fixture("dome")
-        for shard in "0/2", "3/2", "1", "1/2x":
-            run = self.regress("--shard", shard)
-            self.assertEqual((run.returncode, run.stdout), (2, ""))
 
     def test_two_runs_do_not_share_an_output_folder(self):
         self.add_fixture("dome")

@@ -114,6 +114,18 @@ class Scan(KeikoTest):
         self.assertLess(found["alignment"]["residual"], 1e-4)
         self.assertIn("aligned: turned by ", run.stdout)
 
+    def test_a_plane_is_not_shifted_in_itself(self):
+        tilted = [(x + 3, y + 2, 0.01 * x + 1) for x, y, _ in POINTS[::50]]
+        run = self.keiko("compare", "-q", "plate.bpt", self.scan("a.xyz", xyz(tilted)), "--json", "a.json")
+        self.assertEqual((run.returncode, run.stderr), (0, ""), run.stdout)
+        alignment = json.loads((self.folder / "a.json").read_text())["alignment"]
+        free = {kind: [[round(x, 9) for x in way] for way in ways] for kind, ways in alignment["free"].items()}
+        self.assertEqual(free, {"shifts": [[1, 0, 0], [0, 1, 0]], "turns": [[0, 0, 1]]})
+        self.assertLess(max(map(abs, alignment["shift"][:2])), 1e-6)
+        self.assertGreater(alignment["used"], 0.9)
+        self.assertIn(" % of the points used; left free and not moved: shifts along (1, 0, 0) and (0, 1, 0), "
+                      "turns about (0, 0, 1)\n", run.stdout)
+
     def test_units_of_scans(self):
         scan = self.scan("a.xyz", xyz([(x / 25.4, y / 25.4, z / 25.4) for x, y, z in POINTS[::50]]))
         found = self.compare(scan, "--no-align", "--scan-unit", "in", "--tolerance", "0.4")
@@ -149,6 +161,7 @@ class Scan(KeikoTest):
                 ((self.scan("e.asc", b"1,5;2,5;3,5\n"),), "e.asc:1: has ';' and ','"),
                 ((self.scan("f.stl", stl([(float("nan"),) * 3] * 60000)),), "f.stl:point 1: a coordinate must be"),
                 (("missing.ply",), "missing.ply: "),
+                ((self.scan("g.xyz", xyz(POINTS[:11])),), "g.xyz:points: 11 are too few to align: 12 are needed"),
                 ((good, "--rig", "auto"), "--rig: is not for scans"),
                 ((good, "--analysis", "a.json"), "--analysis: is not for scans"),
                 ((good, "--view", "top", "--json", "j.json"), "--view: needs -o"),

@@ -73,7 +73,7 @@ class Program(InstallTest):
 
     def test_comes_with_its_data_and_pages(self):
         for path in ("share/keiko/rigs/car-12.toml", "share/keiko/presets/class-a-outer.toml",
-                     "share/keiko/schema/keiko.schema.json", "share/doc/keiko/library.md",
+                     "share/keiko/schema/keiko.schema.json", "share/keiko/keiko-array.sbatch", "share/doc/keiko/library.md",
                      "share/doc/keiko/examples/check_part.cpp"):
             self.assertTrue((self.prefix / path).is_file(), path)
 

@@ -16,9 +16,10 @@ SKIPPED = 77
 FILES = {
     "keiko": (["usr/bin/keiko", "usr/libexec/keiko/keiko-import", "usr/share/keiko/rigs/car-12.toml",
                "usr/share/keiko/presets/class-a-outer.toml", "usr/share/keiko/schema/keiko.schema.json",
+               "usr/share/keiko/keiko-array.sbatch",
                "usr/share/man/man1/keiko.1.gz", "usr/share/bash-completion/completions/keiko",
                "usr/share/zsh/vendor-completions/_keiko", "usr/share/fish/vendor_completions.d/keiko.fish"],
-              r"usr/lib/(\S+/)?libkeiko\.so\.[\d.]+|usr/share/keiko/(rigs|presets|schema)/.*|usr/share/man/man1/.*"),
+              r"usr/lib/(\S+/)?libkeiko\.so\.[\d.]+|usr/share/keiko/((rigs|presets|schema)/.*|keiko-array\.sbatch)|usr/share/man/man1/.*"),
     "keiko-dev": (["usr/include/keiko/api/check.h"], r"usr/include/keiko/.*\.h|"
                   r"usr/lib/(\S+/)?(libkeiko\.so|pkgconfig/keiko\.pc|cmake/keiko/keiko\w+\.cmake)"),
     "keiko-doc": (["usr/share/doc/keiko/library.md", "usr/share/doc/keiko/install/Dockerfile"],

@@ -364,13 +364,22 @@ class ModuleTest(unittest.TestCase):
         placed = keiko.place(self.scene, views=["top"])
         rig = Path(self.folder.name) / "placed.toml"
         told("place", self.sheets, "-o", rig, "--view", "top", "-q")
-        self.assertEqual(placed.rig, rig.read_text(encoding="utf-8"))
+        self.assertEqual(placed.rig.text, rig.read_text(encoding="utf-8"))
+        self.assertEqual(placed.rig, keiko.Rig.read(rig))
         self.assertGreater(placed.coverage, 0.9)
         lines = keiko.lines(self.scene, rig, views=["top"])
         path = Path(self.folder.name) / "lines.json"
         told("lines", self.sheets, "--rig", rig, "--view", "top", "-o", path, "-q")
         self.assertEqual(lines.to_json(), path.read_text(encoding="utf-8"))
         self.assertEqual(lines.verdict, "pass")
+        at_hand = pickle.loads(pickle.dumps(placed.rig))
+        self.assertEqual(keiko.lines(self.scene, at_hand, views=["top"]).to_json(), lines.to_json())
+        by_file = keiko.render(self.scene, "top", rig=rig, width=32, height=18)
+        np.testing.assert_array_equal(by_file, keiko.render(self.scene, "top", rig=at_hand, width=32, height=18))
+        report = keiko.inspect(self.scene, views=["top"], rig=at_hand, close_ups=0)
+        self.assertEqual(keiko.Rig(report._files["rig.toml"].decode()), at_hand)
+        with self.assertRaisesRegex(keiko.Error, "^rig:1"):
+            keiko.Rig("nothing")
         self.assertEqual(sum(lines.to_dict()["counts"].values()), 0, "the lamps run along the seam")
         with self.assertRaises(keiko.Error):
             keiko.lines(self.scene)
@@ -410,6 +419,63 @@ class ModuleTest(unittest.TestCase):
         self.assertEqual(list(found.dtype.names), header.split(","))
         self.assertEqual([list(row) for row in found.tolist()], [list(map(float, row.split(","))) for row in rows])
         self.assertGreater(found["sum"].min(), 0)
+
+    def test_lamps_at_hand_light_points(self):
+        scene = keiko.open_scene(ROOT / "surfaces/hood-scene.toml")
+        points, normals = np.array([[0, 0, 900], [100, 50, 950]]), np.array([[0, 0, 1], [0, 0, 2]])
+        rig = keiko.place(self.scene, views=["top"]).rig
+        found = keiko.illuminance(scene, points, normals, rig=rig)
+        self.assertEqual(found.shape, (2,))
+        self.assertEqual(sum(name.startswith("c_plane.") for name in found.dtype.names), len(found.dtype.names) - 1)
+        np.testing.assert_allclose(sum(found[name] for name in found.dtype.names[:-1]), found["sum"], rtol=1e-12)
+        one = keiko.illuminance(scene, points, normals, rig=rig, threads=1)
+        np.testing.assert_array_equal(found, one)
+        self.assertNotEqual(found["sum"][0], keiko.illuminance(scene, points, normals)["sum"][0])
+        with self.assertRaisesRegex(keiko.Error, "rig: the scene has no lamps"):
+            keiko.illuminance(self.scene, points, normals)
+        with self.assertRaisesRegex(keiko.Error, r"points\[1\]"):
+            keiko.illuminance(scene, points, normals * [[1], [0]])
+
+    def test_a_model_serves_every_verb(self):
+        model = keiko.load(self.sheets)
+        revised = Path(self.folder.name) / "moved.bpt"
+        revised.write_text(SHEETS.format(z=1.5), encoding="utf-8")
+        again = pickle.loads(pickle.dumps(model))
+        self.assertEqual(model.faces, self.scene.faces)
+        for one in (model, again, self.scene):
+            self.assertEqual(keiko.check(one).to_json(), keiko.check(self.sheets).to_json())
+            self.assertEqual(keiko.info(one).to_json(), keiko.info(self.sheets).to_json())
+            self.assertEqual(keiko.compare(one, revised).to_json(), keiko.compare(self.sheets, revised).to_json())
+        rays = np.array([[100, 50, 500, 0, 0, -1.0], [100, -50, 500, 0, 0, -1.0]])
+        scene = keiko.open_scene(again)
+        np.testing.assert_array_equal(scene.trace(rays), self.scene.trace(rays))
+        np.testing.assert_array_equal(pickle.loads(pickle.dumps(scene)).trace(rays), self.scene.trace(rays))
+        with self.assertRaisesRegex(keiko.Error, "^unit: "):
+            keiko.open_scene(model, unit="m")
+
+    def test_bytes_are_a_model(self):
+        model = keiko.load(self.sheets.read_bytes(), name="sheets in memory")
+        self.assertEqual(model.source, "sheets in memory")
+        self.assertEqual(keiko.check(model).verdict, keiko.check(self.sheets).verdict)
+        self.assertIn("sheets in memory", keiko.inspect(model, views=["top"], close_ups=0).html)
+        with self.assertRaises(keiko.Error) as caught:
+            keiko.load(b"nothing of a model")
+        self.assertEqual(caught.exception.file, "bytes")
+
+    def test_curves_that_were_written_are_read(self):
+        path = Path(self.folder.name) / "seams.step"
+        told("check", self.sheets, "--curves", path, "-q")
+        curves = keiko.read_curves(path)
+        self.assertGreater(len(curves), 0)
+        for curve in curves:
+            self.assertTrue(curve.name)
+            for piece in curve.pieces:
+                self.assertEqual(len(piece.knots), len(piece.points) + piece.degree + 1)
+                self.assertEqual(piece.points.shape[1], 4)
+        ends = np.vstack([piece.points[[0, -1], :3] for piece in curves[0].pieces])
+        np.testing.assert_allclose(ends[:, 1:], 0, atol=1e-6)  # the seam runs along x
+        with self.assertRaises(keiko.Error):
+            keiko.read_curves(self.sheets)
 
     def test_scenes_are_picklable(self):
         again = pickle.loads(pickle.dumps(self.scene))

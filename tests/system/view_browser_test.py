@@ -1,6 +1,7 @@
 """The page of keiko view in a real browser. Exits with 77 where there is none, unless CI is set."""
 import base64
 import json
+import math
 import os
 import re
 import sys
@@ -132,7 +133,7 @@ class Pictures(Page):
 
     def test_lamps_that_were_dragged_are_those_of_render(self):
         before = self.pixels(self.canvas())
-        self.drag(120, -60, Keys.CONTROL)
+        self.drag(70, 40, Keys.CONTROL)
         self.wait_for_still()
         moved = self.pixels(self.canvas())
         self.assertGreater(differences(before, moved)[1], 0.1)
@@ -142,6 +143,30 @@ class Pictures(Page):
         mean, beyond = differences(moved, self.file_pixels("render.png"))
         self.assertLess(mean, 0.01)
         self.assertEqual(beyond, 0)
+
+    def test_a_dragged_stripe_stays_under_the_mouse(self):
+        def is_bright(picture: list, x: int, y: int) -> bool:
+            return picture[480 * y + x][1] > 128
+
+        def is_amid(picture: list, x: int, y: int) -> bool:
+            around = {is_bright(picture, x + dx, y + dy) for dx in range(-3, 4) for dy in range(-3, 4)}
+            return len(around) == 1
+
+        canvas = self.browser.find_element(By.ID, "picture")
+        scale = canvas.size["width"] / 480
+        for bright in (True, False):
+            before = self.rested()
+            x, y = next((x, y) for y in range(120, 160) for x in range(200, 280)
+                        if is_amid(before, x, y) and is_bright(before, x, y) == bright)
+            actions = ActionChains(self.browser)
+            actions.move_to_element_with_offset(canvas, (x + 0.5 - 240) * scale, (y + 0.5 - 135) * scale)
+            actions.key_down(Keys.CONTROL).click_and_hold()
+            for _ in range(8):
+                actions.move_by_offset(round(2 * scale), round(scale))
+            actions.release().key_up(Keys.CONTROL).perform()
+            after = self.rested()
+            self.assertNotEqual(after, before)
+            self.assertEqual(is_bright(after, x + 16, y + 8), bright, (x, y))
 
     def saved(self, name: str) -> str:
         file = self.folder / "downloads" / name
@@ -403,6 +428,17 @@ class Panel(Page):
         ray = ",".join(map(str, (*eye, x - eye[0], y - eye[1], z - eye[2]))) + "\n"
         run = self.keiko("trace", "scene.toml", "--out", "t", input=ray)
         self.assertAlmostEqual(float(run.stdout.splitlines()[1]), 1, delta=1e-5)
+
+    def test_two_clicks_tell_how_far_apart_their_places_are(self):
+        canvas, places = self.browser.find_element(By.ID, "picture"), []
+        for x in (-40, 40):
+            ActionChains(self.browser).move_to_element_with_offset(canvas, x, 0).click().perform()
+            self.wait_for(lambda: "rounding" in self.text("pick"))
+            lines = self.text("pick").split("\n")
+            places.append(tuple(map(float, lines[lines.index("place") + 1].removesuffix(" mm").split(","))))
+            self.assertEqual("from the last" in lines, len(places) == 2)
+        far = float(lines[lines.index("from the last") + 1].partition(" mm")[0])
+        self.assertAlmostEqual(far, math.dist(*places), delta=0.02)
 
     def test_seams_are_judged_and_flown_to(self):
         self.press("judge")

@@ -1,8 +1,9 @@
-/// Lines of the lamps on a body.
+/// Lines of the lamps on a body, and files of curves.
 #pragma once
 
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
+#include "keiko/import/worker/curve_files.h"
 #include "keiko/report/content/contour_set.h"
 #include "keiko/report/content/line_list.h"
 #include "keiko/report/content/scope_texts.h"

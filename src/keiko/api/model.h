@@ -1,6 +1,7 @@
-/// Contents of a model or luminaire file, and bodies in triangles.
+/// Models as values, contents of a model or luminaire file, and bodies in triangles.
 #pragma once
 
+#include "keiko/files/model/model_serialization.h"
 #include "keiko/files/photometric/luminaire_file.h"
 #include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/report/content/inspection_texts.h"

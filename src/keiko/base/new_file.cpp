@@ -7,6 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <charconv>
+#include <climits>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -17,7 +18,7 @@ namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::string_view prefix = ".keiko-", suffix = ".tmp";
+constexpr std::string_view prefix = ".keiko-";
 
 std::uint64_t random_number() {
     std::uint64_t number = 0;
@@ -34,6 +35,13 @@ std::string hexadecimal(std::uint64_t number) {
 
 bool is_running(pid_t pid) {
     return kill(pid, 0) == 0 || errno == EPERM;
+}
+
+/// "-HOST.tmp", at the end of the names of this machine: numbers of processes are its own.
+std::string ending() {
+    std::array<char, HOST_NAME_MAX + 1> host{};
+    if (gethostname(host.data(), host.size() - 1) != 0) host.front() = '\0';
+    return "-" + std::string(host.data()) + ".tmp";
 }
 
 } // namespace
@@ -60,11 +68,11 @@ void write_all(const Descriptor& file, std::string_view bytes, const fs::path& p
 
 std::string temporary_name() {
     return std::string(prefix) + std::to_string(getpid()) + "-" + hexadecimal(random_number()) +
-           std::string(suffix);
+           ending();
 }
 
 bool is_abandoned(const std::string& name) {
-    if (!name.starts_with(prefix) || !name.ends_with(suffix)) return false;
+    if (!name.starts_with(prefix) || !name.ends_with(ending())) return false;
     pid_t pid = 0;
     const char* const end = name.data() + name.size();
     const auto [rest, code] = std::from_chars(name.data() + prefix.size(), end, pid);

@@ -58,10 +58,12 @@ Descriptor create_file(const std::filesystem::path& path, mode_t mode = public_f
 /// Writes all bytes to an open file. `path` is for the error alone. Throws Error.
 void write_all(const Descriptor& file, std::string_view bytes, const std::filesystem::path& path);
 
-/// Name for a file or folder that is not finished: ".keiko-PID-RANDOM.tmp". Nobody can foresee it.
+/// Name for a file or folder that is not finished: ".keiko-PID-RANDOM-HOST.tmp". Nobody can foresee
+/// it.
 std::string temporary_name();
 
-/// True if the name is one of temporary_name() in a process that is gone.
+/// True if the name is one of temporary_name() in a process of this machine that is gone. Other
+/// machines may be writing to a folder that they share.
 bool is_abandoned(const std::string& name);
 
 /// New file beside the place that it is meant for; gone again unless it is put there. Its name

@@ -122,14 +122,14 @@ bool locks_within(int descriptor, int kind, std::chrono::milliseconds time) {
 
 } // namespace
 
-FolderLock::FolderLock(const fs::path& folder) {
+FolderLock::FolderLock(const fs::path& folder, std::chrono::milliseconds patience) {
     std::error_code code;
     fs::create_directories(folder, code);
     if (code) throw Error(folder.string(), "", "cannot make the folder: " + code.message());
     descriptor_ = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor_ < 0)
         throw Error(folder.string(), "", std::string("cannot read: ") + std::strerror(errno));
-    const bool locked = locks_within(descriptor_, LOCK_EX, std::chrono::seconds(1));
+    const bool locked = locks_within(descriptor_, LOCK_EX, patience);
     if (!locked || access(folder.c_str(), W_OK | X_OK) != 0) {
         close(descriptor_);
         throw Error(folder.string(), "",

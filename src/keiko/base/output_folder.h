@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 
+#include <chrono>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -15,9 +16,10 @@ namespace KEIKO_API keiko {
 /// behind there is gone when it is made.
 class FolderLock {
 public:
-    /// Makes the folder where it is missing; waits a moment for readers. Throws Error when another
-    /// process holds it, and when it cannot be written.
-    explicit FolderLock(const std::filesystem::path& folder);
+    /// Makes the folder where it is missing; waits for others to end, by default a moment for
+    /// readers. Throws Error when another process holds it, and when it cannot be written.
+    explicit FolderLock(const std::filesystem::path& folder,
+                        std::chrono::milliseconds patience = std::chrono::seconds(1));
     ~FolderLock();
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;

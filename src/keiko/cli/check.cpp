@@ -8,6 +8,7 @@
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/scope_options.h"
 #include "keiko/cli/session.h"
+#include "keiko/cli/shard_option.h"
 
 #include <memory>
 
@@ -25,6 +26,7 @@ struct CheckArguments {
     SymmetryOption symmetry;
     AcceptedOption accepted;
     ScopeOptions scope;
+    ShardOption shard;
 };
 
 void withdraw_earlier(const CheckArguments& arguments) {
@@ -59,9 +61,9 @@ void add_curves(FileTransaction& outputs, const CheckArguments& arguments,
         outputs.add(file, curve_output(curves, file, options.load, job));
 }
 
-int check(CheckArguments arguments, const Job& job) {
-    withdraw_earlier(arguments);
-    CheckOptions& options = arguments.options;
+/// The options of a check, as they were given.
+CheckOptions check_options(const CheckArguments& arguments) {
+    CheckOptions options = arguments.options;
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
     arguments.symmetry.apply_to(options.preset);
     arguments.symmetry.look_in(options.preset);
@@ -70,8 +72,10 @@ int check(CheckArguments arguments, const Job& job) {
     options.load = load_options(arguments.models);
     options.combs = arguments.combs.options(options.join);
     options.profiles = !arguments.profiles.files().empty();
-    const CheckResult result = check_models(arguments.models.inputs, options, job);
-    const Inspection& inspection = result.inspection;
+    return options;
+}
+
+void warn_of(const Inspection& inspection) {
     for (const LostFace& face : inspection.facts.lost_faces)
         log_warning("face " + std::to_string(face.id) + " is missing: " + face.reason);
     if (const std::string warning = nothing_judged(inspection); !warning.empty())
@@ -79,6 +83,14 @@ int check(CheckArguments arguments, const Job& job) {
     if (const std::string warning = joints_not_judged(inspection); !warning.empty())
         log_warning(warning);
     warn_of_acceptances(inspection);
+}
+
+int check(CheckArguments arguments, const Job& job) {
+    withdraw_earlier(arguments);
+    arguments.options = check_options(arguments);
+    const CheckResult result = check_models(arguments.models.inputs, arguments.options, job);
+    const Inspection& inspection = result.inspection;
+    warn_of(inspection);
     FileTransaction outputs;
     arguments.files.add_to(outputs, inspection);
     if (result.combs) arguments.combs.add_to(outputs, *result.combs);
@@ -88,6 +100,27 @@ int check(CheckArguments arguments, const Job& job) {
     if (result.combs) log_warnings(result.combs->remarks);
     print(inspection_text(inspection));
     return inspection.verdict == Verdict::pass ? exit_pass : exit_findings;
+}
+
+PartResult check_part(const CheckOptions& options, const std::filesystem::path& model,
+                      const Job& job) {
+    const Inspection inspection = check_models({&model, 1}, options, job).inspection;
+    warn_of(inspection);
+    return {part_state(inspection.verdict), seams_words(inspection), "inspection.json",
+            InspectionFiles::every_format(inspection)};
+}
+
+/// Checks a shard of the models; each is a body.
+int check_shard(const CheckArguments& arguments, const CLI::App& command, const Job& job) {
+    const std::filesystem::path output = arguments.files.folder();
+    require_place_for_folder(output);
+    const CheckOptions options = check_options(arguments);
+    PartsOptions parts = parts_options(command, arguments.shard, arguments.models.inputs, output);
+    parts.load = options.load;
+    parts.settings += arguments.accepted.day();
+    const JudgePart judge = [&](const std::filesystem::path& model, const std::filesystem::path&,
+                                const Job& inner) { return check_part(options, model, inner); };
+    return tell_parts(run_parts(parts, judge, arguments.shard.job(job)), output);
 }
 
 } // namespace
@@ -119,11 +152,17 @@ void add_check(CLI::App& app, Session& session) {
                              "inflections of faces and seams to, as B-splines, or .vtp of "
                              "polylines; may repeat");
     arguments->profiles.add_to(command);
+    arguments->shard.add_to(
+        command, shard_of_models,
+        {"--json", "--junit", "--sarif", "--csv", "--combs", "--curves", "--profiles"});
     add_load_options(command, arguments->models);
     command.footer(
         "Exit codes: 0 all pass, 1 lost faces or findings that are not accepted, 2 error.\n"
         "Example: keiko check fender.step door.step --preset vda-4955 --sarif findings.sarif");
-    session.add_command(command, [arguments](const Job& job) { return check(*arguments, job); });
+    session.add_command(command, [arguments, &command](const Job& job) {
+        return arguments->shard.requested() ? check_shard(*arguments, command, job)
+                                            : check(*arguments, job);
+    });
 }
 
 } // namespace keiko::cli

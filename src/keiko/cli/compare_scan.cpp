@@ -38,6 +38,7 @@ void require_outputs(const SceneArguments& scene, const ScanArguments& arguments
 CompareScanOptions options_of(const CLI::App& command, const SceneArguments& scene,
                               const ScanArguments& arguments) {
     CompareScanOptions options;
+    options.scan = arguments.scan.string();
     if (command.count("--tolerance") > 0)
         options.limits.tolerance = arguments.tolerance;
     else if (command.count("--least-share") > 0)
@@ -133,9 +134,8 @@ int compare_with_scan(const CLI::App& command, const SceneArguments& scene,
     constexpr double opening = 1, comparing = 4;
     JobSteps steps(job, opening + comparing);
     const Scene nominal = scene.open(steps.next_of_steps(opening));
-    ScanComparison comparison =
+    const ScanComparison comparison =
         compare_points(nominal, points, options, steps.next_of_steps(comparing)).comparison;
-    comparison.scan = arguments.scan.string();
     write_outputs(arguments, comparison);
     print(scan_text(comparison));
     return comparison.passes().value_or(true) ? exit_pass : exit_findings;

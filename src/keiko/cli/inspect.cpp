@@ -9,6 +9,7 @@
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/scope_options.h"
 #include "keiko/cli/session.h"
+#include "keiko/cli/shard_option.h"
 
 #include <array>
 #include <cstdio>
@@ -28,22 +29,29 @@ struct InspectArguments {
     SymmetryOption symmetry;
     AcceptedOption accepted;
     ScopeOptions scope;
+    ShardOption shard;
 };
+
+/// Counts of a report in words.
+std::string report_words(const Report& report) {
+    std::string words = seams_words(report.inspection);
+    if (report.lines) {
+        const CrossingCounts crossings = count_crossings(*report.lines);
+        words += "; lines " + std::to_string(crossings.fail) + " fail, " +
+                 std::to_string(crossings.undecided) + " undecided, " +
+                 std::to_string(crossings.pass) + " pass";
+    }
+    if (const std::size_t accepted = whole_inspection(report).accepted.size(); accepted > 0)
+        words += "; " + counted(accepted, "finding") + " accepted";
+    if (const std::string part = scope_words(report.inspection.scope); !part.empty())
+        words += "; " + part;
+    return words;
+}
 
 void print_summary(const Report& report, const std::filesystem::path& folder) {
     TextLines lines;
-    std::ostream& line = lines.line();
-    line << name_of(verdict_of(report)) << ": " << seams_words(report.inspection) << "; ";
-    if (report.lines) {
-        const CrossingCounts crossings = count_crossings(*report.lines);
-        line << "lines " << crossings.fail << " fail, " << crossings.undecided << " undecided, "
-             << crossings.pass << " pass; ";
-    }
-    if (const std::size_t accepted = whole_inspection(report).accepted.size(); accepted > 0)
-        line << counted(accepted, "finding") << " accepted; ";
-    if (const std::string part = scope_words(report.inspection.scope); !part.empty())
-        line << part << "; ";
-    line << "see " << (folder / "report.html").string();
+    lines.line() << name_of(verdict_of(report)) << ": " << report_words(report) << "; see "
+                 << (folder / "report.html").string();
     print(lines.text());
     print_scope(report.inspection.scope, report.inspection.preset);
 }
@@ -79,8 +87,8 @@ void print_notes(const Scene& scene) {
     print(lines.text());
 }
 
-int inspect(InspectArguments arguments, const Job& job) {
-    withdraw_earlier(arguments);
+/// Makes the options of an inspection whole, from all that was given.
+void resolve_options(InspectArguments& arguments) {
     InspectOptions& options = arguments.options;
     arguments.scene.read_analysis();
     if (!arguments.preset.empty()) options.preset = preset_by_name_or_file(arguments.preset);
@@ -94,30 +102,73 @@ int inspect(InspectArguments arguments, const Job& job) {
     }
     require_view_names(options.views, arguments.scene.options.analysis);
     options.combs = arguments.combs.options(options.join);
-    constexpr double opening = 1, inspecting = 9;
-    JobSteps steps(job, opening + inspecting);
-    const Scene scene = arguments.scene.open(steps.next_of_steps(opening));
-    arguments.scene.warn_of_axes(scene, options.views);
     options.picture.aovs = aovs_by_names(arguments.aovs);
     if (!options.picture.aovs.empty()) options.picture.light_error = PictureOptions().light_error;
     options.register_hits = !arguments.hits.empty();
-    const InspectResult result = inspect_scene(scene, options, steps.next_of_steps(inspecting));
-    FileTransaction outputs;
-    outputs.add_folder(arguments.output, with_manifest(result_files(arguments.output, result)));
-    if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
-    const Report& report = result.report;
-    const Inspection whole = whole_inspection(report);
-    arguments.files.add_to(outputs, whole);
-    outputs.write();
+}
+
+/// An opened body and what was found on it.
+struct InspectedScene {
+    Scene scene;
+    InspectResult result;
+};
+
+InspectedScene inspect_models(const InspectArguments& arguments, const Job& job) {
+    constexpr double opening = 1, inspecting = 9;
+    JobSteps steps(job, opening + inspecting);
+    Scene scene = arguments.scene.open(steps.next_of_steps(opening));
+    arguments.scene.warn_of_axes(scene, arguments.options.views);
+    InspectResult result = inspect_scene(scene, arguments.options, steps.next_of_steps(inspecting));
+    return {std::move(scene), std::move(result)};
+}
+
+void warn_of(const InspectResult& result, const Inspection& whole) {
     warn_of_acceptances(whole);
     if (const std::string warning = nothing_judged(result.report.inspection); !warning.empty())
         log_warning(warning);
     if (const std::string warning = joints_not_judged(whole); !warning.empty())
         log_warning(warning);
     if (result.combs) log_warnings(result.combs->remarks);
+}
+
+int inspect(InspectArguments arguments, const Job& job) {
+    withdraw_earlier(arguments);
+    resolve_options(arguments);
+    const auto [scene, result] = inspect_models(arguments, job);
+    FileTransaction outputs;
+    outputs.add_folder(arguments.output, with_manifest(result_files(arguments.output, result)));
+    if (result.hits) outputs.add(arguments.hits, hits_text(*result.hits));
+    const Inspection whole = whole_inspection(result.report);
+    arguments.files.add_to(outputs, whole);
+    outputs.write();
+    warn_of(result, whole);
     print_summary(result.report, arguments.output);
     print_notes(scene);
     return verdict_of(result.report) == Verdict::pass ? exit_pass : exit_findings;
+}
+
+PartResult inspect_part(InspectArguments arguments, const std::filesystem::path& model,
+                        const std::filesystem::path& folder, const Job& job) {
+    arguments.scene.inputs = {model};
+    const InspectResult result = inspect_models(arguments, job).result;
+    warn_of(result, whole_inspection(result.report));
+    return {part_state(verdict_of(result.report)), report_words(result.report), "report.html",
+            result_files(folder, result)};
+}
+
+/// Inspects a shard of the models; each is a body.
+int inspect_shard(InspectArguments arguments, const CLI::App& command, const Job& job) {
+    require_place_for_folder(arguments.output);
+    resolve_options(arguments);
+    PartsOptions parts =
+        parts_options(command, arguments.shard, arguments.scene.inputs, arguments.output);
+    parts.load = arguments.scene.scene_options().load;
+    parts.settings += arguments.accepted.day();
+    const JudgePart judge = [&](const std::filesystem::path& model,
+                                const std::filesystem::path& folder, const Job& inner) {
+        return inspect_part(arguments, model, folder, inner);
+    };
+    return tell_parts(run_parts(parts, judge, arguments.shard.job(job)), arguments.output);
 }
 
 } // namespace
@@ -163,8 +214,13 @@ void add_inspect(CLI::App& app, Session& session) {
     arguments->scope.add_to(command);
     command.add_option("--register", arguments->hits,
                        "file (.json) for what the pictures mirror, for keiko place --from");
+    arguments->shard.add_to(command, shard_of_models,
+                            {"--junit", "--sarif", "--csv", "--register"});
     command.footer("Example: keiko inspect fender.step -o out --view three-quarter-front");
-    session.add_command(command, [arguments](const Job& job) { return inspect(*arguments, job); });
+    session.add_command(command, [arguments, &command](const Job& job) {
+        return arguments->shard.requested() ? inspect_shard(*arguments, command, job)
+                                            : inspect(*arguments, job);
+    });
 }
 
 } // namespace keiko::cli

@@ -139,7 +139,7 @@ void InspectionFiles::add_json_and_output(CLI::App& command) {
     command
         .add_option("-o,--output", outputs_,
                     "file to write, its format by its ending: .json, .xml (JUnit), .sarif or .csv; "
-                    "may repeat")
+                    "may repeat; the folder of the run with --shard")
         ->allow_extra_args(false);
 }
 
@@ -179,21 +179,34 @@ std::vector<fs::path> InspectionFiles::paths() const {
     return paths;
 }
 
+std::string InspectionFiles::text_of(Format format, const Inspection& inspection) {
+    switch (format) {
+        case Format::json:
+            return inspection_json(inspection, version());
+        case Format::junit:
+            return junit_xml(inspection);
+        case Format::sarif:
+            return sarif_json(inspection, version(), model_files(inspection));
+        case Format::csv:
+            break;
+    }
+    return checks_csv(inspection);
+}
+
 void InspectionFiles::add_to(FileTransaction& batch, const Inspection& inspection) const {
-    for (const auto& [path, format] : files()) switch (format) {
-            case Format::json:
-                batch.add(path, inspection_json(inspection, version()));
-                break;
-            case Format::junit:
-                batch.add(path, junit_xml(inspection));
-                break;
-            case Format::sarif:
-                batch.add(path, sarif_json(inspection, version(), model_files(inspection)));
-                break;
-            case Format::csv:
-                batch.add(path, checks_csv(inspection));
-                break;
-        }
+    for (const auto& [path, format] : files()) batch.add(path, text_of(format, inspection));
+}
+
+fs::path InspectionFiles::folder() const {
+    if (outputs_.size() == 1) return outputs_.front();
+    throw Error("", "--output", "is the folder of the run with --shard, and needed once");
+}
+
+FolderContent InspectionFiles::every_format(const Inspection& inspection) {
+    return {{"inspection.json", text_of(Format::json, inspection)},
+            {"junit.xml", text_of(Format::junit, inspection)},
+            {"findings.sarif", text_of(Format::sarif, inspection)},
+            {"findings.csv", text_of(Format::csv, inspection)}};
 }
 
 void DateOption::add_to(CLI::App& command) {

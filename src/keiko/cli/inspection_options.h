@@ -89,8 +89,15 @@ public:
     /// Adds every requested file.
     void add_to(FileTransaction& batch, const Inspection& inspection) const;
 
+    /// The folder that -o names for a shard. Throws Error unless it names one place.
+    std::filesystem::path folder() const;
+    /// A file of each format for a folder: inspection.json, junit.xml, findings.sarif and
+    /// findings.csv.
+    static FolderContent every_format(const Inspection& inspection);
+
 private:
     enum class Format { json, junit, sarif, csv };
+    static std::string text_of(Format format, const Inspection& inspection);
     struct File {
         std::filesystem::path path;
         Format format;
@@ -122,6 +129,8 @@ public:
     const std::filesystem::path& file() const { return file_; }
     /// Its acceptances; none without a file. Throws Error.
     AcceptanceList list() const;
+    /// Day on which results depend; empty without a file.
+    std::string day() const { return file_.empty() ? "" : today_.date(); }
 
 private:
     std::filesystem::path file_;

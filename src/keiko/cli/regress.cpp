@@ -6,8 +6,8 @@
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/session.h"
+#include "keiko/cli/shard_option.h"
 
-#include <cstdio>
 #include <memory>
 
 namespace keiko::cli {
@@ -16,22 +16,10 @@ namespace {
 struct RegressArguments {
     RegressOptions options;
     SceneArguments loading;
+    ShardOption shard;
     std::vector<std::string> update;
-    std::string shard, by, reason;
+    std::string by, reason;
 };
-
-/// "K/N"
-Shard shard_of(const std::string& text) {
-    Shard shard;
-    if (text.empty()) return shard;
-    int end = 0;
-    constexpr int most = 100000;
-    if (std::sscanf(text.c_str(), "%d/%d%n", &shard.number, &shard.count, &end) != 2 ||
-        static_cast<std::size_t>(end) != text.size() || shard.number < 1 ||
-        shard.number > shard.count || shard.count > most)
-        throw Error("", "--shard", "'" + text + "' is not K/N with 1 <= K <= N");
-    return shard;
-}
 
 int exit_code_of(FixtureState state) {
     if (state == FixtureState::error) return exit_error;
@@ -95,11 +83,13 @@ int update(const RegressArguments& arguments, const RegressOptions& options, con
 
 int regress(const RegressArguments& arguments, const Job& job) {
     RegressOptions options = arguments.options;
-    options.shard = shard_of(arguments.shard);
+    if (arguments.shard.requested()) options.shard = arguments.shard.shard();
     options.load = load_options(arguments.loading);
     require_place_for_folder(options.output);
     if (!arguments.update.empty()) return update(arguments, options, job);
-    return tell(run_regression(options, job), options.output);
+    const std::filesystem::path folder =
+        options.shard ? shard_folder(options.output, options.shard->number) : options.output;
+    return tell(run_regression(options, arguments.shard.job(job)), folder);
 }
 
 /// `only` and `shard` are the options that exclude it.
@@ -130,8 +120,10 @@ void add_regress(CLI::App& app, Session& session) {
     command.add_option("--baseline", options.baselines, "folder of the baselines [DIR/baselines]");
     auto* only = command.add_option("--only", options.only, "run this fixture; may repeat [all]")
                      ->allow_extra_args(false);
-    auto* shard = command.add_option("--shard", arguments->shard,
-                                     "K/N: run every N-th fixture from the K-th on; see merge");
+    auto* shard = arguments->shard.add_to(
+        command,
+        "K/N: run the K-th of N shares of about the same cost, into OUTPUT/shard-K; auto, "
+        "auto/N: the share of this task of an array job; see merge");
     command.add_flag("--fresh", options.fresh,
                      "run fixtures again that an earlier run has finished");
     add_updating(command, *arguments, only, shard);
@@ -142,22 +134,51 @@ void add_regress(CLI::App& app, Session& session) {
     session.add_command(command, [arguments](const Job& job) { return regress(*arguments, job); });
 }
 
+namespace {
+
+struct MergeArguments {
+    std::vector<std::filesystem::path> shards;
+    std::filesystem::path output;
+};
+
+/// Folder of the reports: by default the one that has the shards in it.
+std::filesystem::path merged_folder(const MergeArguments& arguments) {
+    if (!arguments.output.empty()) return arguments.output;
+    if (arguments.shards.size() == 1) return arguments.shards.front();
+    throw FieldError("output", "is needed where several folders are joined");
+}
+
+int merge(const MergeArguments& arguments) {
+    const std::filesystem::path output = merged_folder(arguments);
+    require_place_for_folder(output);
+    for (const std::filesystem::path& folder : arguments.shards) {
+        if (!holds_parts(folder)) continue;
+        if (arguments.shards.size() > 1 || output != folder)
+            throw FieldError("output",
+                             "is not for a run of check or inspect, whose report lies "
+                             "beside its parts: keiko merge " +
+                                 folder.string());
+        return tell_parts(merge_parts(folder), folder);
+    }
+    return tell(merge_regressions(arguments.shards, output), output);
+}
+
+} // namespace
+
 void add_merge(CLI::App& app, Session& session) {
-    struct MergeArguments {
-        std::vector<std::filesystem::path> shards;
-        std::filesystem::path output;
-    };
     auto arguments = std::make_shared<MergeArguments>();
-    CLI::App& command =
-        *app.add_subcommand("merge", "join the shards of a regression run into one report");
-    command.add_option("SHARD", arguments->shards, "output folders of keiko regress --shard")
+    CLI::App& command = *app.add_subcommand(
+        "merge", "join the shards of regress, check or inspect into one report");
+    command
+        .add_option("FOLDER", arguments->shards,
+                    "output folder of a run with --shard, or its shards one by one")
         ->required();
-    command.add_option("-o,--output", arguments->output, "folder for the reports")->required();
-    command.footer("Example: keiko merge out-1 out-2 out-3 -o out");
-    session.add_command(command, [arguments](const Job&) {
-        require_place_for_folder(arguments->output);
-        return tell(merge_regressions(arguments->shards, arguments->output), arguments->output);
-    });
+    command.add_option("-o,--output", arguments->output,
+                       "folder for the reports [FOLDER, if it is one]");
+    command.footer(
+        "Exit codes: those of the joined run; 2 if a shard is missing.\n"
+        "Example: keiko merge out");
+    session.add_command(command, [arguments](const Job&) { return merge(*arguments); });
 }
 
 } // namespace keiko::cli

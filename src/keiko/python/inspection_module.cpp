@@ -43,13 +43,15 @@ void set_judging(const py::dict& judging, Options& options) {
 /// requested.
 py::tuple check(const py::object& input, const py::dict& judging, const std::string& unit,
                 const std::string& axes, bool profiles, const py::object& progress, int threads) {
-    const std::vector<std::filesystem::path> paths = paths_of(input);
+    const std::shared_ptr<const SurfaceModel> model = model_of(input);
+    const auto paths = model ? std::vector<std::filesystem::path>() : paths_of(input);
     CheckOptions options;
     set_judging(judging, options);
     options.load.unit = unit, options.load.axes = axes, options.profiles = profiles;
     using Text = std::optional<std::string>;
     const auto [inspection, combs, plots] = run({progress, threads}, [&](const Job& job) {
-        const CheckResult result = check_models(paths, options, job);
+        const CheckResult result =
+            model ? check_body(*model, options, job) : check_models(paths, options, job);
         return std::tuple(
             inspection_json(result.inspection, version()),
             result.combs ? Text(result.combs->json) : Text(),
@@ -66,15 +68,18 @@ py::dict bytes_of(const FolderContent& content) {
 
 /// The files of a report, by name.
 py::dict inspect(const OpenScene& open, const py::dict& judging,
-                 const std::vector<std::string>& views,
-                 const std::optional<std::filesystem::path>& rig, std::size_t close_ups,
-                 const py::object& progress, int threads) {
+                 const std::vector<std::string>& views, const py::object& rig,
+                 std::size_t close_ups, const py::object& progress, int threads) {
     InspectOptions options;
     set_judging(judging, options);
-    options.views = views, options.rig = rig, options.close_ups = close_ups;
+    options.views = views, options.close_ups = close_ups;
+    const ChosenRig lamps(rig);
     return bytes_of(run({progress, threads}, [&](const Job& job) {
-        options.picture = picture_options(*open.scene, options.picture);
-        return result_files(".", inspect_scene(*open.scene, options, job));
+        return under(lamps, *open.scene, job, [&](const Scene& scene, const auto& file) {
+            options.rig = file;
+            options.picture = picture_options(scene, options.picture);
+            return result_files(".", inspect_scene(scene, options, job));
+        });
     }));
 }
 

@@ -24,15 +24,17 @@ void raise(const py::object& type, const Error& error) {
 
 } // namespace
 
+std::filesystem::path path_of(const py::object& input) {
+    if (!py::isinstance<py::str>(input) && !py::hasattr(input, "__fspath__"))
+        throw py::type_error("a path is needed");
+    return input.cast<std::filesystem::path>();
+}
+
 std::vector<std::filesystem::path> paths_of(const py::object& input) {
-    if (py::isinstance<py::str>(input) || py::hasattr(input, "__fspath__"))
-        return {input.cast<std::filesystem::path>()};
+    if (py::isinstance<py::str>(input) || py::hasattr(input, "__fspath__")) return {path_of(input)};
     std::vector<std::filesystem::path> paths;
-    for (const py::handle& one : input) {
-        if (!py::isinstance<py::str>(one) && !py::hasattr(one, "__fspath__"))
-            throw py::type_error("a path or a sequence of paths is needed");
-        paths.push_back(one.cast<std::filesystem::path>());
-    }
+    for (const py::handle& one : input)
+        paths.push_back(path_of(py::reinterpret_borrow<py::object>(one)));
     if (paths.empty()) throw FieldError("input", "no file is named");
     return paths;
 }
@@ -65,6 +67,9 @@ PYBIND11_MODULE(_keiko, module) {
         }
     });
     module.def("version", &keiko::version);
+    keiko::python::add_models(module);
+    keiko::python::add_rigs(module);
+    keiko::python::add_curves(module);
     keiko::python::add_scenes(module);
     keiko::python::add_inspections(module);
     keiko::python::add_pictures(module);

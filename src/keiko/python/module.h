@@ -8,18 +8,26 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace keiko::python {
 
+/// A body that has been read.
+struct OpenModel {
+    std::shared_ptr<const SurfaceModel> model; ///< never null
+    std::vector<std::filesystem::path> paths;  ///< that it was read from; none: from bytes
+};
+
 /// An open scene, and what opens it again in another process.
 struct OpenScene {
-    std::vector<std::filesystem::path> paths; ///< models of one body, or one scene file
-    std::string unit, axes;                   ///< as LoadOptions
-    std::string material;                     ///< as SceneOptions
-    bool shadows = false;                     ///< as SceneOptions
-    std::shared_ptr<const Scene> scene;       ///< never null once it is open
+    std::vector<std::filesystem::path> paths;  ///< models of one body, or one scene file
+    std::shared_ptr<const SurfaceModel> model; ///< that it was made of instead; null: of the paths
+    std::string unit, axes;                    ///< as LoadOptions
+    std::string material;                      ///< as SceneOptions
+    bool shadows = false;                      ///< as SceneOptions
+    std::shared_ptr<const Scene> scene;        ///< never null once it is open
 };
 
 /// Rows of numbers of any array that NumPy can make one of.
@@ -33,12 +41,47 @@ std::vector<Ray> rays_of(const NumberRows& array, const char* field, const char*
 /// for an empty sequence.
 std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 
+/// Path of one path. Raises TypeError for anything else.
+std::filesystem::path path_of(const pybind11::object& input);
+
+/// Number, name and layer of each face.
+pybind11::list faces_of(const SurfaceModel& model);
+/// Why faces were lost, a reason each.
+std::vector<std::string> losses_of(const SurfaceModel& model);
+/// The body of a Model or a Scene; null for anything else.
+std::shared_ptr<const SurfaceModel> model_of(const pybind11::object& input);
+
+/// The lamps that a verb is called with: of a file, or at hand, or neither.
+struct ChosenRig {
+    std::optional<std::filesystem::path> file;
+    std::optional<LightRig> rig;
+
+    /// A path, a keiko.Rig, or None. Throws Error for lamps that no file can hold.
+    explicit ChosenRig(const pybind11::object& rig);
+};
+
+/// Calls `work(scene, file)` with the scene and the file of the lamps, or with a scene of the same
+/// body that has the lamps at hand as its own.
+template <class Work>
+auto under(const ChosenRig& lamps, const Scene& scene, const Job& job, const Work& work) {
+    if (!lamps.rig) return work(scene, lamps.file);
+    Scene lit = scene_of_body(scene, scene.model, job);
+    lit.rig = lamps.rig;
+    return work(lit, std::optional<std::filesystem::path>());
+}
+
+/// The class Model and the functions load_model and unpickled_model.
+void add_models(pybind11::module_& module);
+/// The classes Curve and Spline, and the function read_curves.
+void add_curves(pybind11::module_& module);
+/// The functions rig_of_file and rig_of_text, which return the text of a rig file.
+void add_rigs(pybind11::module_& module);
 /// The class Scene, what it traces, and the function open_scene.
 void add_scenes(pybind11::module_& module);
 /// The functions check_json, report_files, write_report and accept_findings.
 void add_inspections(pybind11::module_& module);
-/// The functions place, lines_json, compare_json, info_json, regress_json, accept_baselines and
-/// illuminance_rows.
+/// The functions place_lamps, lines_json, compare_json, info_json, regress_json, accept_baselines
+/// and illuminance_numbers.
 void add_verbs(pybind11::module_& module);
 /// The class Mesh and the function surface_mesh.
 void add_meshes(pybind11::module_& module);

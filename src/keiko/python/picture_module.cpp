@@ -46,16 +46,18 @@ DeepBuffer deep(const OpenScene& open, const std::string& view, std::optional<in
     });
 }
 
-Film render(const OpenScene& open, const std::string& view,
-            const std::optional<std::filesystem::path>& rig, std::optional<int> width,
-            std::optional<int> height, const std::vector<std::string>& aovs,
-            const py::object& progress, int threads) {
+Film render(const OpenScene& open, const std::string& view, const py::object& rig,
+            std::optional<int> width, std::optional<int> height,
+            const std::vector<std::string>& aovs, const py::object& progress, int threads) {
+    const ChosenRig chosen(rig);
     return run({progress, threads}, [&](const Job& job) {
         const Scene& scene = *open.scene;
         const NamedView seen = view_named(scene, view, width, height, job);
         PictureOptions options;
         for (const std::string& name : aovs) options.aovs.push_back(aov_by_name(name));
-        const LightRig lamps = choose_lights(scene, rig, std::span(&seen, 1), {}, job).rig;
+        const LightRig lamps =
+            chosen.rig ? *chosen.rig
+                       : choose_lights(scene, chosen.file, std::span(&seen, 1), {}, job).rig;
         return render_view(scene, lamps, seen.camera, picture_options(scene, options), job);
     });
 }

@@ -54,13 +54,11 @@ py::tuple compare(const OpenScene& open, const NumberRows& array, const std::str
                   int threads) {
     const std::vector<Vec3> points = points_of(array);
     CompareScanOptions options;
-    options.limits = {tolerance, least_share};
+    options.scan = name, options.limits = {tolerance, least_share};
     options.align = align, options.reach = reach;
     if (views) options.views = ScanViewsOptions{*views};
     ScanResult result = run({progress, threads}, [&](const Job& job) {
-        ScanResult found = compare_points(*open.scene, points, options, job);
-        found.comparison.scan = name;
-        return found;
+        return compare_points(*open.scene, points, options, job);
     });
     return py::make_tuple(scan_json(result.comparison), scan_html(result.comparison),
                           rows_of(*open.scene, result.points));

@@ -1,4 +1,5 @@
 #include "keiko/api/trace.h"
+#include "keiko/base/error.h"
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
@@ -73,22 +74,26 @@ py::array trace(const OpenScene& open, const NumberRows& array, const py::object
 
 OpenScene open(const py::object& input, const std::string& unit, const std::string& axes,
                const std::string& material, bool shadows, const py::object& progress, int threads) {
-    OpenScene opened{paths_of(input), unit, axes, material, shadows, nullptr};
+    SceneOptions options;
+    options.load.unit = unit, options.load.axes = axes;
+    options.material = material, options.shadows = shadows;
+    OpenScene opened{{}, nullptr, unit, axes, material, shadows, nullptr};
+    if (py::isinstance<OpenModel>(input)) {
+        const auto& [model, paths] = input.cast<const OpenModel&>();
+        if (!unit.empty() || !axes.empty())
+            throw FieldError(unit.empty() ? "axes" : "unit", "a Model has been read already");
+        opened.paths = paths, opened.model = model;
+    } else {
+        opened.paths = paths_of(input);
+    }
     opened.scene = run({progress, threads}, [&](const Job& job) {
-        SceneOptions options;
-        options.load.unit = unit, options.load.axes = axes;
-        options.material = material, options.shadows = shadows;
-        return std::make_shared<const Scene>(open_scene(opened.paths, options, job));
+        if (!opened.model)
+            return std::make_shared<const Scene>(open_scene(opened.paths, options, job));
+        Scene scene = scene_of_model(*opened.model, options, job);
+        scene.inputs = opened.paths;
+        return std::make_shared<const Scene>(std::move(scene));
     });
     return opened;
-}
-
-/// Number, name and layer of each face.
-py::list faces_of(const OpenScene& open) {
-    py::list faces;
-    for (const Face& face : open.scene->model.faces)
-        faces.append(py::make_tuple(face.id, face.name, face.layer));
-    return faces;
 }
 
 py::array bounds_of(const OpenScene& open) {
@@ -108,22 +113,21 @@ void add_scenes(py::module_& module) {
     py::class_<OpenScene>(module, "Scene")
         .def("trace", &trace, py::arg("rays"), py::kw_only(), py::arg("progress") = py::none(),
              py::arg("threads") = 0)
-        .def_property_readonly("faces", &faces_of)
+        .def_property_readonly("faces",
+                               [](const OpenScene& open) { return faces_of(open.scene->model); })
         .def_property_readonly("bounds", &bounds_of)
         .def_property_readonly("lost_faces",
-                               [](const OpenScene& open) {
-                                   std::vector<std::string> reasons;
-                                   for (const LostFace& face : open.scene->model.lost_faces)
-                                       reasons.push_back(face.reason);
-                                   return reasons;
-                               })
+                               [](const OpenScene& open) { return losses_of(open.scene->model); })
         .def_readonly("paths", &OpenScene::paths)
         .def("__reduce__", [](const OpenScene& open) {
             const py::dict options(py::arg("unit") = open.unit, py::arg("axes") = open.axes,
                                    py::arg("material") = open.material,
                                    py::arg("shadows") = open.shadows);
-            return py::make_tuple(py::module_::import("keiko").attr("_reopen"),
-                                  py::make_tuple(open.paths, options));
+            return py::make_tuple(
+                py::module_::import("keiko").attr("_reopen"),
+                py::make_tuple(
+                    open.model ? py::cast(OpenModel{open.model, open.paths}) : py::cast(open.paths),
+                    options));
         });
     module.def("open_scene", &open, py::arg("input"), py::kw_only(), py::arg("unit") = "",
                py::arg("axes") = "", py::arg("material") = SceneOptions{}.material,

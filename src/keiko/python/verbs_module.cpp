@@ -4,7 +4,7 @@
 #include "keiko/api/model.h"
 #include "keiko/api/place.h"
 #include "keiko/api/regress.h"
-#include "keiko/api/trace.h"
+#include "keiko/base/error.h"
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
@@ -12,7 +12,9 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <map>
+#include <memory>
 #include <span>
 #include <utility>
 
@@ -42,34 +44,53 @@ PlacedLamps place(const OpenScene& open, const std::vector<std::string>& views, 
     });
 }
 
-std::string lines(const OpenScene& open, const std::optional<std::filesystem::path>& rig,
+std::string lines(const OpenScene& open, const py::object& rig,
                   const std::vector<std::string>& views, const std::string& preset, double join,
                   const py::object& progress, int threads) {
+    const ChosenRig lamps(rig);
     return run({progress, threads}, [&](const Job& job) {
-        LinesOptions options;
-        options.views = views, options.rig = rig, options.join = join;
-        options.preset = preset_by_name_or_file(preset);
-        return lines_json(find_lines(*open.scene, options, job), open.scene->model);
+        return under(lamps, *open.scene, job, [&](const Scene& scene, const auto& file) {
+            LinesOptions options;
+            options.views = views, options.rig = file, options.join = join;
+            options.preset = preset_by_name_or_file(preset);
+            return lines_json(find_lines(scene, options, job), scene.model);
+        });
     });
 }
 
-std::string compare(const std::filesystem::path& before, const std::filesystem::path& after,
-                    const std::string& preset, double join, bool align, const py::object& progress,
-                    int threads) {
+/// A body to compare: one that has been read, or the file of one.
+struct ComparedBody {
+    std::shared_ptr<const SurfaceModel> model;
+    std::filesystem::path file;
+
+    explicit ComparedBody(const py::object& input) : model(model_of(input)) {
+        if (!model) file = path_of(input);
+    }
+    Scene open(const Job& job) const {
+        return model ? scene_of_model(*model, {}, job) : open_scene(std::span(&file, 1), {}, job);
+    }
+};
+
+std::string compare(const py::object& before, const py::object& after, const std::string& preset,
+                    double join, bool align, const py::object& progress, int threads) {
+    const ComparedBody former(before), latter(after);
     return run({progress, threads}, [&](const Job& job) {
         CompareBodiesOptions options;
         options.preset = preset_by_name_or_file(preset), options.join = join;
         options.align = align;
-        return comparison_json(compare_bodies(before, after, options, job).comparison);
+        return comparison_json(
+            compare_scenes(former.open(job), latter.open(job), options, job).comparison);
     });
 }
 
-std::string info(const std::filesystem::path& file, const std::string& unit,
-                 const std::string& axes, double join, const py::object& progress, int threads) {
+std::string info(const py::object& input, const std::string& unit, const std::string& axes,
+                 double join, const py::object& progress, int threads) {
+    const std::shared_ptr<const SurfaceModel> model = model_of(input);
+    const auto file = model ? std::filesystem::path() : path_of(input);
     return run({progress, threads}, [&](const Job& job) {
         FactsOptions options;
         options.load.unit = unit, options.load.axes = axes, options.join = join;
-        return facts_json(model_info(file, options, job));
+        return facts_json(model ? body_info(*model, options, job) : model_info(file, options, job));
     });
 }
 
@@ -99,41 +120,25 @@ std::map<std::string, std::vector<std::string>> accept_baselines(
     });
 }
 
-/// Lines of points and normals, as streams of points have them.
-std::string point_lines(std::span<const Ray> points) {
-    std::string text;
-    for (const Ray& at : points)
-        for (const auto& [vector, end] : {std::pair(at.origin, ','), {at.direction, '\n'}})
-            for (int k = 0; k < 3; ++k) {
-                append_number(text, vector[k]);
-                text += k < 2 ? ',' : end;
-            }
-    return text;
-}
-
-/// The rows of light_points, which Python reads.
-std::string illuminance(const OpenScene& open, const NumberRows& points, const py::object& progress,
-                        int threads) {
+/// The names of the columns, and a row of numbers a point.
+py::tuple illuminance(const OpenScene& open, const NumberRows& points, const py::object& rig,
+                      const py::object& progress, int threads) {
     const std::vector<Ray> at = rays_of(points, "points", "point and normal");
-    require_rays(at, "points", {}, point_header);
-    const std::string asked = point_lines(at);
-    return run({progress, threads}, [&](const Job& job) {
-        std::size_t done = 0;
-        std::string rows;
-        light_points(
-            *open.scene,
-            [&](std::span<char> into) {
-                const std::size_t count = asked.copy(into.data(), into.size(), done);
-                done += count;
-                return count;
-            },
-            [&](std::string_view more) {
-                rows += more;
-                return true;
-            },
-            job);
-        return rows;
-    });
+    const ChosenRig lamps(rig);
+    auto found = std::make_unique<PointIlluminance>(run({progress, threads}, [&](const Job& job) {
+        const Scene& scene = *open.scene;
+        if (lamps.file) return illuminance_at(scene, read_rig(*lamps.file), at, job);
+        if (lamps.rig) return illuminance_at(scene, *lamps.rig, at, job);
+        if (!scene.rig) throw FieldError("rig", "the scene has no lamps of its own");
+        return illuminance_at(scene, *scene.rig, at, job);
+    }));
+    const py::object columns = py::cast(found->columns);
+    const std::array<py::ssize_t, 2> shape{static_cast<py::ssize_t>(at.size()),
+                                           static_cast<py::ssize_t>(found->columns.size())};
+    const double* numbers = found->lux.data();
+    const py::capsule owner(found.release(),
+                            [](void* p) { delete static_cast<PointIlluminance*>(p); });
+    return py::make_tuple(columns, py::array_t<double>(shape, numbers, owner));
 }
 
 } // namespace
@@ -142,13 +147,10 @@ void add_verbs(py::module_& module) {
     py::class_<PlacedLamps>(module, "Placement")
         .def_readonly("coverage", &PlacedLamps::coverage)
         .def_readonly("remarks", &PlacedLamps::remarks)
-        .def_property_readonly("rig",
-                               [](const PlacedLamps& placed) { return rig_text(placed.rig); });
-    module.def("place", &place, py::arg("scene"), py::kw_only(),
-               py::arg("views") = std::vector<std::string>{},
-               py::arg("lamps") = PlacementOptions{}.lamps,
-               py::arg("planes") = PlacementOptions{}.planes, py::arg("progress") = py::none(),
-               py::arg("threads") = 0);
+        .def_property_readonly("rig", [](const PlacedLamps& placed) {
+            return py::module_::import("keiko").attr("Rig")(rig_text(placed.rig));
+        });
+    module.def("place_lamps", &place);
     module.def("lines_json", &lines);
     module.def("compare_json", &compare);
     module.def("info_json", &info);
@@ -156,7 +158,7 @@ void add_verbs(py::module_& module) {
     module.def("accept_baselines", &accept_baselines, py::arg("suite"), py::arg("names"),
                py::kw_only(), py::arg("by"), py::arg("reason"), py::arg("output") = "keiko-regress",
                py::arg("baselines") = "", py::arg("progress") = py::none(), py::arg("threads") = 0);
-    module.def("illuminance_rows", &illuminance);
+    module.def("illuminance_numbers", &illuminance);
 }
 
 } // namespace keiko::python

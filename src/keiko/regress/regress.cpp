@@ -4,11 +4,11 @@
 #include "keiko/base/text.h"
 #include "keiko/files/scene/fixture_file.h"
 #include "keiko/regress/suite_files.h"
+#include "keiko/regress/suite_shards.h"
 #include "keiko/workflow/draw_outcome.h"
 #include "keiko/workflow/version.h"
 
 #include <algorithm>
-#include <map>
 
 namespace keiko {
 namespace {
@@ -64,14 +64,6 @@ FixtureOutcome fixture_outcome(const FixtureSpec& spec, const FixtureRecord* bas
     return outcome;
 }
 
-std::vector<FixtureFile> share_of(const std::vector<FixtureFile>& fixtures, const Shard& shard) {
-    std::vector<FixtureFile> share;
-    for (std::size_t i = 0; i < fixtures.size(); ++i)
-        if (i % static_cast<std::size_t>(shard.count) + 1 == static_cast<std::size_t>(shard.number))
-            share.push_back(fixtures[i]);
-    return share;
-}
-
 FixtureOutcome run_one(const FixtureFile& fixture, const RegressOptions& options, const Job& job) {
     try {
         const FixtureSpec spec = read_fixture(fixture.file);
@@ -85,97 +77,75 @@ FixtureOutcome run_one(const FixtureFile& fixture, const RegressOptions& options
     }
 }
 
-} // namespace
+/// The fixtures of the suite. An error removes the reports of an earlier run.
+std::vector<FixtureFile> readable_suite(const RegressOptions& options) {
+    try {
+        return fixture_files(options.suite);
+    } catch (const Error&) {
+        withdraw_reports(options.output);
+        throw;
+    }
+}
 
-Regression run_regression(const RegressOptions& options, const Job& job) {
-    require_apart(options, {});
-    withdraw_reports(options.output);
-    const std::vector<FixtureFile> all = fixture_files(options.suite);
-    require_apart(options, all);
-    const std::vector<FixtureFile> suite = options.only.empty() ? all : chosen(all, options.only);
-    const std::vector<FixtureFile> share = share_of(suite, options.shard);
-    const FolderLock lock(options.output);
-    Regression regression{.tool_version = version(),
-                          .suite = names_of(suite),
-                          .suite_key = suite_key(suite, options),
-                          .stale_baselines = stale_baselines(all, options),
-                          .shard = options.shard.number,
-                          .shards = options.shard.count};
-    for (std::size_t i = 0; i < share.size(); ++i) {
+void run_fixtures(std::span<const FixtureFile> fixtures, const RegressOptions& options,
+                  Regression& regression, const Job& job) {
+    for (std::size_t i = 0; i < fixtures.size(); ++i) {
         job.check();
         regression.fixtures.push_back(
-            run_one(share[i], options, job_of_fixture(job, i, share.size(), share[i].name)));
+            run_one(fixtures[i], options, job_of_part(job, i, fixtures.size(), fixtures[i].name)));
     }
+}
+
+/// A run whose fixtures did not run yet.
+Regression empty_regression(std::span<const FixtureFile> all, std::span<const FixtureFile> suite,
+                            std::span<const std::string> keys, const RegressOptions& options) {
+    const Shard shard = options.shard.value_or(Shard());
+    return {.tool_version = version(),
+            .suite = names_of(suite),
+            .suite_key = suite_key(keys),
+            .stale_baselines = stale_baselines(all, options),
+            .shard = shard.number,
+            .shards = shard.count};
+}
+
+/// Runs a whole suite, alone in its output folder.
+void run_suite(std::span<const FixtureFile> suite, const RegressOptions& options,
+               Regression& regression, const Job& job) {
+    withdraw_reports(options.output);
+    const FolderLock lock(options.output);
+    run_fixtures(suite, options, regression, job);
     write_reports(options.output, regression);
-    return regression;
 }
 
-namespace fs = std::filesystem;
-namespace {
-
-/// Throws Error where two shards differ in what all shards of a run have in common.
-void require_same_suite(const Regression& one, const Regression& first, const fs::path& folder) {
-    const auto fail = [&](const char* what) {
-        throw Error(folder.string(), "", std::string("is a shard of another run: ") + what);
-    };
-    if (one.suite != first.suite) fail("its suite has other fixtures");
-    if (one.shards != first.shards) fail("it is divided in another number of shards");
-    if (one.suite_key != first.suite_key)
-        fail("files, baselines or the program were others when it ran");
-    if (one.tool_version != first.tool_version) fail("it is of another version of Keiko");
-}
-
-/// The shards by number. Throws Error where they are not all of one run, each once.
-std::map<int, Regression> read_shards(std::span<const fs::path> folders) {
-    std::map<int, Regression> shards;
-    std::map<int, fs::path> places;
-    for (const fs::path& folder : folders) {
-        Regression shard = read_reports(folder);
-        const int number = shard.shard;
-        if (!shards.empty()) require_same_suite(shard, shards.begin()->second, folder);
-        if (const auto [at, added] = places.emplace(number, folder); !added)
-            throw Error(folder.string(), "",
-                        "is shard " + std::to_string(number) + ", as is " + at->second.string());
-        shards.emplace(number, std::move(shard));
-    }
-    return shards;
-}
-
-void require_every_shard(const std::map<int, Regression>& shards) {
-    const int count = shards.begin()->second.shards;
-    for (int number = 1; number <= count; ++number)
-        if (!shards.contains(number))
-            throw Error(
-                "", "",
-                "shard " + std::to_string(number) + " of " + std::to_string(count) + " is missing");
-}
-
-/// The run that was divided.
-Regression joined(std::map<int, Regression> shards) {
-    std::map<std::string, FixtureOutcome> outcomes;
-    for (auto& [number, shard] : shards)
-        for (FixtureOutcome& fixture : shard.fixtures)
-            outcomes.emplace(fixture.name, std::move(fixture));
-    Regression merged = std::move(shards.begin()->second);
-    merged.shard = merged.shards = 1;
-    merged.fixtures.clear();
-    for (auto& [name, outcome] : outcomes) merged.fixtures.push_back(std::move(outcome));
-    return merged;
+/// Runs a shard in its folder of the run's `output`. There is no lock on it: a task that its
+/// scheduler started anew meets its old copy, and what both write is whole and the same.
+void run_shard(std::span<const FixtureFile> suite, const ShardPlan& plan,
+               const std::filesystem::path& output, const RegressOptions& options,
+               Regression& regression, const Job& job) {
+    claim_shard(output, plan, options.shard->number);
+    withdraw_reports(options.output);
+    run_fixtures(share_of(suite, plan, options.shard->number), options, regression, job);
+    require_claimed(output, plan);
+    write_reports(options.output, regression);
 }
 
 } // namespace
 
-Regression merge_regressions(std::span<const fs::path> folders, const fs::path& output) {
-    for (const fs::path& folder : folders)
-        if (fs::exists(output) && fs::equivalent(folder, output))
-            throw FieldError("output", output.string() + " is a shard itself");
-    withdraw_reports(output);
-    std::map<int, Regression> shards = read_shards(folders);
-    require_every_shard(shards);
-    Regression merged = joined(std::move(shards));
-    const FolderLock lock(output);
-    write_reports(output, merged);
-    return merged;
+Regression run_regression(const RegressOptions& given, const Job& job) {
+    RegressOptions options = given;
+    if (given.shard) options.output = shard_folder(given.output, given.shard->number);
+    require_apart(options, {});
+    const std::vector<FixtureFile> all = readable_suite(options);
+    require_apart(options, all);
+    const std::vector<FixtureFile> suite = options.only.empty() ? all : chosen(all, options.only);
+    const std::vector<std::string> keys = outcome_keys(suite, options);
+    Regression regression = empty_regression(all, suite, keys, options);
+    if (given.shard)
+        run_shard(suite, suite_plan(suite, keys, regression.suite_key, given.shard->count),
+                  given.output, options, regression, job);
+    else
+        run_suite(suite, options, regression, job);
+    return regression;
 }
 
 namespace fs = std::filesystem;
@@ -243,8 +213,8 @@ std::vector<AcceptedBaseline> update_baselines(const RegressOptions& options,
     const FolderLock output_lock(options.output);
     std::vector<FixtureRecord> candidates;
     for (std::size_t i = 0; i < fixtures.size(); ++i)
-        candidates.push_back(candidate_of(
-            fixtures[i], options, job_of_fixture(job, i, fixtures.size(), fixtures[i].name)));
+        candidates.push_back(candidate_of(fixtures[i], options,
+                                          job_of_part(job, i, fixtures.size(), fixtures[i].name)));
     const fs::path baselines = baseline_folder(options);
     const FolderLock baselines_lock(baselines);
     std::vector<AcceptedBaseline> accepted;

@@ -11,13 +11,15 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 
 namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* report_file = "regression.json";
-constexpr std::array report_names{report_file, "junit.xml", "index.html"};
+/// Time that the other copy of a task may take to write what this one writes too.
+constexpr std::chrono::minutes write_patience{1};
+constexpr std::array report_names{regression_file, "junit.xml", "index.html"};
 
 /// Candidate that an earlier run has finished; nullopt where there is none, or one of other inputs,
 /// or a damaged one.
@@ -44,7 +46,7 @@ FixtureSetup kept_setup(const RegressOptions& options, const std::string& name) 
 }
 
 void write_pictures(const fs::path& folder, const FolderContent& pngs) {
-    const FolderLock lock(folder.parent_path());
+    const FolderLock lock(folder.parent_path(), write_patience);
     std::error_code ignored; // an older picture that stays is named by no report
     if (pngs.empty())
         fs::remove_all(folder, ignored);
@@ -84,7 +86,7 @@ FixtureRecord candidate_of(const FixtureSpec& spec, const RegressOptions& option
     KeptRecord kept{run_fixture(read_fixture(spec.file), setup, options.load, job), key, {}};
     if (fixture_key(spec.file, setup, options.load) != key)
         throw Error(spec.file.string(), "", "its files were changed while it ran; run it again");
-    const FolderLock lock(folder.parent_path());
+    const FolderLock lock(folder.parent_path(), write_patience);
     write_folder_atomically(folder, files_of(kept));
     return std::move(kept.record);
 }
@@ -104,19 +106,32 @@ std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const s
     return kept_baseline(baseline_folder(options) / name);
 }
 
-std::string suite_key(std::span<const FixtureFile> suite, const RegressOptions& options) {
-    std::string text;
-    for (const FixtureFile& fixture : suite) {
-        text += fixture.name + " ";
-        try {
-            text += fixture_key(fixture.file, {}, options.load);
-        } catch (const Error& error) { // it will be the fixture's outcome
-            text += error.what();
-        }
-        for (const auto& [name, bytes] : read_folder(baseline_folder(options) / fixture.name))
-            text += " " + name + " " + sha256_hex(bytes);
-        text += "\n";
+namespace {
+
+std::string outcome_key(const FixtureFile& fixture, const RegressOptions& options) {
+    std::string text = fixture.name + " ";
+    try {
+        text += fixture_key(fixture.file, {}, options.load);
+    } catch (const Error& error) { // it will be the fixture's outcome
+        text += error.what();
     }
+    for (const auto& [name, bytes] : read_folder(baseline_folder(options) / fixture.name))
+        text += " " + name + " " + sha256_hex(bytes);
+    return sha256_hex(text);
+}
+
+} // namespace
+
+std::vector<std::string> outcome_keys(std::span<const FixtureFile> suite,
+                                      const RegressOptions& options) {
+    std::vector<std::string> keys;
+    for (const FixtureFile& fixture : suite) keys.push_back(outcome_key(fixture, options));
+    return keys;
+}
+
+std::string suite_key(std::span<const std::string> outcome_keys) {
+    std::string text;
+    for (const std::string& key : outcome_keys) text += key + "\n";
     return sha256_hex(text);
 }
 
@@ -134,18 +149,6 @@ std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
     }
     std::sort(stale.begin(), stale.end());
     return stale;
-}
-
-Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name) {
-    Job inner = job;
-    if (!job.progress) return inner;
-    const std::string prefix =
-        std::to_string(index + 1) + "/" + std::to_string(count) + " " + name + ": ";
-    inner.progress = [outer = job.progress, prefix](const Progress& progress) {
-        const std::string stage = prefix + std::string(progress.stage);
-        outer({stage, progress.fraction});
-    };
-    return inner;
 }
 
 void require_apart(const RegressOptions& options, std::span<const FixtureFile> fixtures) {
@@ -175,11 +178,11 @@ void write_reports(const fs::path& output, const Regression& regression) {
         write_pictures(output / fixture.name / "pictures", fixture.pngs);
     write_text_file(output / "junit.xml", regression_junit(regression));
     write_text_file(output / "index.html", regression_html(regression));
-    write_text_file(output / report_file, regression_json(regression));
+    write_text_file(output / regression_file, regression_json(regression));
 }
 
 Regression read_reports(const fs::path& output) {
-    const fs::path file = output / report_file;
+    const fs::path file = output / regression_file;
     Regression regression = parse_regression(read_file(file), file.string());
     for (FixtureOutcome& fixture : regression.fixtures)
         fixture.pngs = read_folder(output / fixture.name / "pictures");

@@ -7,6 +7,9 @@ namespace keiko {
 
 // The files of a suite: what its fixtures are now, were, and are required to be.
 
+/// Name of the report that marks a run as done.
+constexpr const char* regression_file = "regression.json";
+
 /// Names of fixtures, in their order.
 std::vector<std::string> names_of(std::span<const FixtureFile> fixtures);
 
@@ -26,16 +29,16 @@ std::optional<KeptRecord> kept_baseline(const std::filesystem::path& folder);
 /// The baseline of a fixture, read while no one writes it.
 std::optional<KeptRecord> locked_baseline(const RegressOptions& options, const std::string& name);
 
-/// SHA-256 of the keys of all fixtures and of their baselines: the same for runs that must have the
-/// same outcome.
-std::string suite_key(std::span<const FixtureFile> suite, const RegressOptions& options);
+/// SHA-256 of everything on which the outcome of each fixture depends: its key and its baseline.
+std::vector<std::string> outcome_keys(std::span<const FixtureFile> suite,
+                                      const RegressOptions& options);
+
+/// SHA-256 of the keys of all outcomes of a suite: the same for runs that must have the same one.
+std::string suite_key(std::span<const std::string> outcome_keys);
 
 /// Names of baselines that belong to no fixture.
 std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
                                          const RegressOptions& options);
-
-/// Job whose stages state which fixture of how many they belong to: "2/7 hood: render".
-Job job_of_fixture(const Job& job, std::size_t index, std::size_t count, const std::string& name);
 
 /// Removes the reports of an earlier run: they must not pass for this one's, whatever becomes of
 /// it. Throws Error while another process writes to the folder.

@@ -1,5 +1,6 @@
 #include "keiko/stream/light_points.h"
 
+#include "keiko/base/parallel.h"
 #include "keiko/light/rig/prepared_rig.h"
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/stream/hit_columns.h"
@@ -40,17 +41,25 @@ struct LitScene {
     std::vector<std::string> columns; ///< of the results
     PreparedRig rig;
 
-    explicit LitScene(const Scene& lit)
-        : scene(lit), columns(columns_of(*lit.rig)), rig(*lit.rig) {}
+    LitScene(const Scene& lit, const LightRig& by) : scene(lit), columns(columns_of(by)), rig(by) {}
+
+    /// The first source that a point lies in a lamp of; nullopt: none.
+    std::optional<std::size_t> source_around(const Vec3& point) const {
+        for (std::size_t source = 0; source < rig.sources.size(); ++source)
+            if (within_lamp(rig.sources[source], point)) return source;
+        return std::nullopt;
+    }
 };
+
+std::string in_lamp(const std::string& column) {
+    return "lies in a lamp of " + column;
+}
 
 /// Ends the points before the first that lies in a lamp.
 void end_before_lamps(ParsedRays& points, const RayLines& lines, const LitScene& lit) {
     for (std::size_t i = 0; i < points.rays.size(); ++i)
-        for (std::size_t source = 0; source < lit.rig.sources.size(); ++source)
-            if (within_lamp(lit.rig.sources[source], points.rays[i].origin))
-                return end_before(points, lines, i, "lies in a lamp of " + lit.columns[source],
-                                  point_header);
+        if (const auto source = lit.source_around(points.rays[i].origin))
+            return end_before(points, lines, i, in_lamp(lit.columns[*source]), point_header);
 }
 
 /// A place on the surfaces for which light is computed.
@@ -149,7 +158,7 @@ struct Column {
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job) {
     require_rig(scene);
-    const LitScene lit(scene);
+    const LitScene lit(scene, *scene.rig);
     std::string header;
     for (const std::string& column : lit.columns) header += column + ',';
     header.back() = '\n';
@@ -166,10 +175,29 @@ std::uint64_t light_points(const Scene& scene, const ByteSource& points, const B
     return count;
 }
 
+PointIlluminance illuminance_at(const Scene& scene, const LightRig& rig,
+                                std::span<const Ray> points, const Job& job) {
+    require_rays(points, "points", {}, point_header);
+    const LitScene lit(scene, rig);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (const auto source = lit.source_around(points[i].origin))
+            throw FieldError("points[" + std::to_string(i) + "]", in_lamp(lit.columns[*source]));
+    const std::size_t width = lit.columns.size();
+    PointIlluminance found{lit.columns, std::vector<double>(points.size() * width)};
+    constexpr std::size_t chunk = 64;
+    parallel_for((points.size() + chunk - 1) / chunk, job, "light", [&](std::size_t c) {
+        for (std::size_t i = c * chunk; i < std::min(points.size(), (c + 1) * chunk); ++i) {
+            const std::vector<double> row = lux_at(lit, points[i]);
+            std::copy(row.begin(), row.end(), &found.lux[i * width]);
+        }
+    });
+    return found;
+}
+
 std::uint64_t summarize_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                                const Job& job) {
     require_rig(scene);
-    const LitScene lit(scene);
+    const LitScene lit(scene, *scene.rig);
     const std::vector<std::string>& names = lit.columns;
     std::vector<Column> columns(names.size());
     std::uint64_t count = 0;

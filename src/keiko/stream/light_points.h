@@ -5,6 +5,10 @@
 #include "keiko/stream/trace_rays.h"
 #include "keiko/workflow/open_scene.h"
 
+#include <span>
+#include <string>
+#include <vector>
+
 namespace KEIKO_API keiko {
 
 /// Reads lines of points with normals (see rays_of, `point_header`) and writes the direct
@@ -18,6 +22,17 @@ namespace KEIKO_API keiko {
 /// whose point lies in a lamp, after the rows of those before it.
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job = {});
+
+/// Illuminance at points, lx.
+struct PointIlluminance {
+    std::vector<std::string> columns; ///< as light_points names them: each source, then "sum"
+    std::vector<double> lux;          ///< a row a point, of as many numbers as there are columns
+};
+
+/// The numbers of light_points at points whose ray goes along the normal, under `rig`. Throws
+/// FieldError of "points" for one that light_points would refuse.
+PointIlluminance illuminance_at(const Scene& scene, const LightRig& rig,
+                                std::span<const Ray> points, const Job& job = {});
 
 /// Statistics of the illuminance at the points of light_points, as lighting standards require them.
 /// Writes a header line, then a row for each column of light_points. A row has the number of

@@ -188,7 +188,6 @@ HttpReply Endpoints::streamed(const std::string& type, const std::string& client
 
 bool Endpoints::send_deep(const ViewRequest& request, const Scene* earlier, Outlet& outlet,
                           LatestWork::Turn& turn) const {
-    const Camera camera = scene_.view_of(request).camera;
     std::vector<RowSet> passes{RowSet{}};
     const auto interlaced = interlaced_rows();
     if (request.interlaced) passes.assign(interlaced.begin(), interlaced.end());
@@ -197,9 +196,10 @@ bool Endpoints::send_deep(const ViewRequest& request, const Scene* earlier, Outl
         {
             const ClientWatch watch(outlet, turn);
             const Job job = turn.job(threads_);
-            const auto pictured = scene_.pictured(request, job);
-            bytes = deep_bytes(deep_view(earlier ? *earlier : *pictured, camera,
-                                         {.rows = rows, .reflections = request.reflections}, job));
+            const DeepOptions options{.rows = rows, .reflections = request.reflections};
+            bytes = deep_bytes(
+                earlier ? deep_view(*earlier, scene_.view_of(request).camera, options, job)
+                        : scene_.deep(request, options, job));
         }
         if (!outlet.write(bytes)) return false;
     }
@@ -219,9 +219,7 @@ HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client,
 std::string Endpoints::still_png(const ViewRequest& request, const LightRig& rig,
                                  const Job& job) const {
     const StopScope scope(job);
-    const auto pictured = scene_.pictured(request, job);
-    return encode_png(
-        tone_mapped(render_view(*pictured, rig, scene_.view_of(request).camera, {}, job)));
+    return encode_png(tone_mapped(scene_.still(request, rig, job)));
 }
 
 HttpReply Endpoints::still(const HttpRequest& request, const std::string& client) const {

@@ -61,14 +61,27 @@ std::unique_lock<std::timed_mutex> locked(std::timed_mutex& mutex, const Job& jo
 
 } // namespace
 
-std::shared_ptr<const Scene> ViewedScene::pictured(const ViewRequest& request, const Job& job) {
-    // Nothing owns the whole scene but this object, which outlives all answers.
-    if (request.hidden.empty()) return {std::shared_ptr<const Scene>(), &scene_};
+DeepBuffer ViewedScene::deep(const ViewRequest& request, const DeepOptions& options,
+                             const Job& job) const {
+    return deep_view(scene_, seen_without(scene_, request.hidden), view_of(request).camera, options,
+                     job);
+}
+
+std::optional<Occluders> ViewedScene::occluders(const std::vector<std::uint32_t>& hidden,
+                                                const Tracer& seen, const Job& job) {
+    if (!scene_.occluders || hidden.empty()) return scene_.occluders;
     const auto lock = locked(part_access_, job);
-    if (!part_ || part_->hidden != request.hidden)
-        part_ = {request.hidden,
-                 std::make_shared<const Scene>(without_faces(scene_, request.hidden, job))};
-    return part_->scene;
+    if (!part_ || part_->hidden != hidden)
+        part_ = {hidden, *occluders_without(scene_, hidden, seen, job)};
+    return part_->occluders;
+}
+
+Film ViewedScene::still(const ViewRequest& request, const LightRig& rig, const Job& job) {
+    const Tracer seen = seen_without(scene_, request.hidden);
+    const std::optional<Occluders> shadows = occluders(request.hidden, seen, job);
+    const PictureScene part{seen, scene_.seen_materials(), rig, scene_.background,
+                            shadows ? &*shadows : nullptr};
+    return render_part(scene_, part, view_of(request).camera, {}, job);
 }
 
 template <class Value>

@@ -2,6 +2,7 @@
 
 #include "keiko/api/check.h"
 #include "keiko/api/place.h"
+#include "keiko/api/render.h"
 #include "keiko/api/view.h"
 
 #include <cstdint>
@@ -33,9 +34,12 @@ public:
     void set_against(Scene earlier) { against_.emplace(std::move(earlier)); }
     /// The earlier revision; null without one.
     const Scene* against() const { return against_ ? &*against_ : nullptr; }
-    /// The scene of a request's pictures, without the faces that it hides. The last one is kept.
-    /// Throws FieldError for a face that is not there, and Cancelled.
-    std::shared_ptr<const Scene> pictured(const ViewRequest& request, const Job& job);
+    /// The deep buffer of a request, without the faces that it hides. Throws FieldError for a face
+    /// that is not there, and Cancelled.
+    DeepBuffer deep(const ViewRequest& request, const DeepOptions& options, const Job& job) const;
+    /// The picture of a request under a rig, without the faces that it hides. Shadows of the last
+    /// faces left are kept. Throws as deep.
+    Film still(const ViewRequest& request, const LightRig& rig, const Job& job);
     /// The scene as a page needs it, with the views and changed files of the report.
     ViewFacts facts_of_view() const;
     /// The analysis that it was opened with, "keiko-view-analysis/1".
@@ -75,12 +79,14 @@ private:
         const Value& get(const Job& job, const std::function<Value()>& make);
     };
 
-    /// The scene without some faces.
-    struct Part {
+    /// Occluders of the scene while some faces are hidden.
+    struct PartOccluders {
         std::vector<std::uint32_t> hidden; ///< as in ViewRequest
-        std::shared_ptr<const Scene> scene;
+        Occluders occluders;
     };
 
+    std::optional<Occluders> occluders(const std::vector<std::uint32_t>& hidden, const Tracer& seen,
+                                       const Job& job);
     const Inspection& judged(const Job& job);
 
     Scene scene_;
@@ -92,7 +98,7 @@ private:
     mutable std::mutex rig_access_;
     LightRig rig_;
     std::timed_mutex part_access_;
-    std::optional<Part> part_; ///< the last that was requested
+    std::optional<PartOccluders> part_; ///< the last that was requested
     Kept<Inspection> judged_;
     Kept<std::string> facts_, inspection_, faults_;
 };

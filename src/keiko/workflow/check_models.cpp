@@ -36,24 +36,46 @@ std::vector<SeamProfile> profiles_of(const SurfaceModel& model, const Inspection
     return seam_profiles(model, inspection.seams, inspection.pieces, seams, inspection.limits, job);
 }
 
-CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
-                         const Job& job) {
-    const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
-    constexpr double reading = 2, choosing = 0.5, drawing = 1;
-    const JudgedParts parts{options.join, options.joints, options.acceptances};
-    const bool combs = has_curves(options.combs);
-    JobSteps steps(job, reading + choosing + parts.weight() + drawing * (combs + options.profiles));
-    const SurfaceModel model = read_body(spec, options.load, steps.next(reading)).model;
+namespace {
+
+constexpr double choosing = 0.5, drawing = 1;
+
+JudgedParts parts_of(const CheckOptions& options) {
+    return {options.join, options.joints, options.acceptances};
+}
+
+double weight_of_judging(const CheckOptions& options) {
+    return choosing + parts_of(options).weight() +
+           drawing * (has_curves(options.combs) + options.profiles);
+}
+
+CheckResult judged(const SurfaceModel& model, const CheckOptions& options, JobSteps& steps) {
     const FaceLimits limits =
         zoned_limits({model}, options.preset, options.scope, steps.next(choosing));
-    CheckResult result{judged_body(model, limits, parts, steps)};
-    if (combs) result.combs = combs_of(model, options.combs, steps.next(drawing));
+    CheckResult result{judged_body(model, limits, parts_of(options), steps)};
+    if (has_curves(options.combs))
+        result.combs = combs_of(model, options.combs, steps.next(drawing));
     if (options.profiles) {
         std::vector<std::uint32_t> all(result.inspection.seams.size());
         std::iota(all.begin(), all.end(), 0u);
         result.profiles = profiles_of(model, result.inspection, all, steps.next(drawing));
     }
     return result;
+}
+
+} // namespace
+
+CheckResult check_models(std::span<const std::filesystem::path> inputs, const CheckOptions& options,
+                         const Job& job) {
+    const SceneSpec spec = spec_of(inputs, SceneOptions{}.material);
+    constexpr double reading = 2;
+    JobSteps steps(job, reading + weight_of_judging(options));
+    return judged(read_body(spec, options.load, steps.next(reading)).model, options, steps);
+}
+
+CheckResult check_body(const SurfaceModel& model, const CheckOptions& options, const Job& job) {
+    JobSteps steps(job, weight_of_judging(options));
+    return judged(model, options, steps);
 }
 
 ModelFacts body_info(const SurfaceModel& model, const FactsOptions& options, const Job& job) {

@@ -62,6 +62,10 @@ struct CheckResult {
 CheckResult check_models(std::span<const std::filesystem::path> inputs,
                          const CheckOptions& options = {}, const Job& job = {});
 
+/// Likewise for a body that has been read: without `load` of the options.
+CheckResult check_body(const SurfaceModel& model, const CheckOptions& options = {},
+                       const Job& job = {});
+
 /// Options of model_info.
 struct FactsOptions {
     LoadOptions load;     ///< of the model file; not of a body that has been read

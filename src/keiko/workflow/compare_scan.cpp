@@ -25,16 +25,17 @@ void require_limits(const ScanLimits& limits) {
         throw FieldError("least_share", "must be from 0 to 1");
 }
 
-void require_points(std::span<const Vec3> points) {
-    if (points.empty()) throw FieldError("points", "there are none");
+void require_points(std::span<const Vec3> points, const std::string& scan) {
+    if (points.empty()) throw Error(scan, "points", "there are none");
     if (!std::all_of(points.begin(), points.end(), is_finite))
-        throw FieldError("points", "a coordinate is not finite");
+        throw Error(scan, "points", "a coordinate is not finite");
 }
 
-std::string source_of(const Scene& scene) {
-    std::vector<std::string> names;
-    for (const std::filesystem::path& input : scene.inputs) names.push_back(input.string());
-    return comma_list(names);
+PointAlignment aligned(std::span<const Vec3> points, const ClosestPointQuery& nominal,
+                       const CompareScanOptions& options, const Job& job) try {
+    return align_points(points, nominal, options.alignment, job);
+} catch (const FieldError& error) {
+    throw Error(options.scan, error.field(), error.reason());
 }
 
 /// Draws the map of each view. Adds views and pictures to the comparison.
@@ -62,7 +63,7 @@ void draw_maps(const Scene& nominal, std::span<const PointDeviation> points,
 
 ScanResult compare_points(const Scene& nominal, std::span<const Vec3> points,
                           const CompareScanOptions& options, const Job& job) {
-    require_limits(options.limits), require_points(points);
+    require_limits(options.limits), require_points(points, options.scan);
     const std::size_t views = !options.views                 ? 0
                               : options.views->views.empty() ? automatic_views
                                                              : options.views->views.size();
@@ -73,15 +74,15 @@ ScanResult compare_points(const Scene& nominal, std::span<const Vec3> points,
     ScanResult result;
     ScanComparison& comparison = result.comparison;
     comparison.tool_version = version(), comparison.nominal = source_of(nominal);
+    comparison.scan = options.scan;
     comparison.limits = options.limits;
     constexpr double fiftieth = 0.02;
     comparison.reach = options.reach > 0 ? options.reach : fiftieth * size;
     for (const PlacedFace& face : query.body().origin)
         comparison.faces.push_back(placed_face_name(nominal.model, face.instance, face.face));
     const Job to_align = steps.next(aligning);
-    if (options.align)
-        comparison.alignment = align_points(points, query, options.alignment, to_align);
-    const Affine motion = comparison.alignment ? comparison.alignment->motion : Affine{};
+    if (options.align) comparison.alignment = aligned(points, query, options, to_align);
+    const Affine motion = comparison.alignment ? comparison.alignment->rigid.motion : Affine{};
     result.points =
         point_deviations(points, motion, query, {.reach = comparison.reach}, steps.next(measuring));
     comparison.deviation =

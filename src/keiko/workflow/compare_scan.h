@@ -22,6 +22,7 @@ struct ScanViewsOptions {
 
 /// Options of compare_points.
 struct CompareScanOptions {
+    std::string scan{};  ///< file of the points, or what they are named in report and errors
     ScanLimits limits{}; ///< by which the points are judged
     bool align = true;   ///< moves the points onto the nominal first
     double reach = 0;    ///< mm; 0: a fiftieth of the nominal's size
@@ -36,8 +37,8 @@ struct ScanResult {
 };
 
 /// Aligns points with the exact surface of a scene, and measures and judges how far they lie from
-/// it. Throws Error for points that are none or not finite, for limits out of range, and for an
-/// unknown view; Cancelled.
+/// it. Throws Error for points that are none, not finite or too few to align, for limits out of
+/// range, and for an unknown view; Cancelled.
 ScanResult compare_points(const Scene& nominal, std::span<const Vec3> points,
                           const CompareScanOptions& options = {}, const Job& job = {});
 

@@ -35,8 +35,13 @@ void append(std::string& bytes, const std::vector<T>& values) {
 
 DeepBuffer deep_view(const Scene& scene, const Camera& camera, const DeepOptions& options,
                      const Job& job) {
+    return deep_view(scene, scene.seen(), camera, options, job);
+}
+
+DeepBuffer deep_view(const Scene& scene, const Tracer& seen, const Camera& camera,
+                     const DeepOptions& options, const Job& job) {
     require(options);
-    DeepBuffer buffer = deep_buffer(scene.seen(), camera, options, job);
+    DeepBuffer buffer = deep_buffer(seen, camera, options, job);
     const auto last = static_cast<float>(scene.model.faces.size()); // a face of the body
     const auto rename = [&](DeepSample& sample) {
         if (sample.face > last) sample.face = ground;

@@ -14,6 +14,10 @@ namespace KEIKO_API keiko {
 DeepBuffer deep_view(const Scene& scene, const Camera& camera, const DeepOptions& options = {},
                      const Job& job = {});
 
+/// The deep buffer of a part of a scene; `seen` is the tracer of that part, see seen_without.
+DeepBuffer deep_view(const Scene& scene, const Tracer& seen, const Camera& camera,
+                     const DeepOptions& options = {}, const Job& job = {});
+
 /// Facts of a scene that a viewer needs beside its deep buffers, if it is opened with a view.
 ViewFacts view_facts(const Scene& scene, const NamedView& view);
 

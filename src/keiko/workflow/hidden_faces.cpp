@@ -1,28 +1,32 @@
 #include "keiko/workflow/hidden_faces.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace keiko {
 namespace {
 
-/// True for each face of the model that is hidden.
-std::vector<bool> hidden_among(const SurfaceModel& model, std::span<const std::uint32_t> ids) {
-    std::vector<bool> hidden;
-    for (const Face& face : model.faces)
-        hidden.push_back(std::find(ids.begin(), ids.end(), face.id) != ids.end());
+std::vector<std::uint32_t> sorted(std::vector<std::uint32_t> ids) {
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+/// True for each face of the visible geometry that is hidden.
+std::vector<bool> hidden_in(const Scene& scene, std::span<const std::uint32_t> ids) {
+    require_faces(scene.model, ids);
+    const std::vector<std::uint32_t> hidden_ids = sorted({ids.begin(), ids.end()});
+    std::vector<bool> hidden(scene.seen_materials().size(), false);
+    for (std::size_t i = 0; i < scene.model.faces.size(); ++i)
+        hidden[i] =
+            std::binary_search(hidden_ids.begin(), hidden_ids.end(), scene.model.faces[i].id);
     return hidden;
 }
 
+/// The model with nothing on some faces. Patches keep their indices, which hits have.
 SurfaceModel without(SurfaceModel model, const std::vector<bool>& hidden) {
-    std::vector<Patch> patches;
-    for (std::size_t i = 0; i < hidden.size(); ++i) {
-        Face& face = model.faces[i];
-        const auto first = model.patches.begin() + face.first_patch;
-        if (hidden[i]) face.patch_count = face.loop_count = 0;
-        face.first_patch = static_cast<std::uint32_t>(patches.size());
-        patches.insert(patches.end(), first, first + face.patch_count);
-    }
-    model.patches = std::move(patches);
+    for (std::size_t i = 0; i < model.faces.size(); ++i)
+        if (hidden[i]) model.faces[i].patch_count = model.faces[i].loop_count = 0;
     std::erase_if(model.irregular_patches,
                   [&](const IrregularPatch& patch) { return hidden[patch.face]; });
     return model;
@@ -31,15 +35,33 @@ SurfaceModel without(SurfaceModel model, const std::vector<bool>& hidden) {
 } // namespace
 
 void require_faces(const SurfaceModel& model, std::span<const std::uint32_t> ids) {
+    std::vector<std::uint32_t> known;
+    for (const Face& face : model.faces) known.push_back(face.id);
+    known = sorted(std::move(known));
     for (const std::uint32_t id : ids)
-        if (std::none_of(model.faces.begin(), model.faces.end(),
-                         [&](const Face& face) { return face.id == id; }))
+        if (!std::binary_search(known.begin(), known.end(), id))
             throw FieldError("hidden", "there is no face " + std::to_string(id));
 }
 
+Tracer seen_without(const Scene& scene, std::span<const std::uint32_t> ids) {
+    return ids.empty() ? scene.seen() : scene.seen().without(hidden_in(scene, ids));
+}
+
+std::optional<Occluders> occluders_without(const Scene& scene, std::span<const std::uint32_t> ids,
+                                           const Tracer& seen, const Job& job) {
+    if (!scene.occluders) return {};
+    return Occluders(visible_model(scene, without(scene.model, hidden_in(scene, ids))), seen, job);
+}
+
 Scene without_faces(const Scene& scene, std::span<const std::uint32_t> ids, const Job& job) {
-    require_faces(scene.model, ids);
-    return scene_of_body(scene, without(scene.model, hidden_among(scene.model, ids)), job);
+    std::vector<bool> hidden = hidden_in(scene, ids);
+    Scene part = scene;
+    if (part.surroundings) part.surroundings->tracer = scene.surroundings->tracer.without(hidden);
+    hidden.resize(scene.model.faces.size());
+    part.tracer = scene.tracer.without(hidden);
+    part.model = without(std::move(part.model), hidden);
+    part.occluders = occluders_without(scene, ids, part.seen(), job);
+    return part;
 }
 
 std::optional<Scene> without_hidden_faces(const Scene& scene, const Job& job) {

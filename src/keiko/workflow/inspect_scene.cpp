@@ -220,7 +220,10 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
         close_ups(shown, result.rig, result.report, views, without_aovs(options.picture),
                   options.close_ups, steps.next(InspectWeights::close_ups, stages, "close-ups"));
     result.aovs = options.picture.aovs;
-    if (scene.analysis) result.analysis = scene.analysis->analysis;
+    if (scene.analysis) {
+        result.analysis = scene.analysis->analysis;
+        result.report.notes = result.analysis->notes;
+    }
     return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/job_steps.h"
+#include "keiko/base/text.h"
+#include "keiko/files/scene/material_file.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
@@ -24,17 +26,16 @@ struct Traced {
     std::optional<Occluders> occluders{};
 };
 
-/// `around`: the ground goes around it; nullopt: around the body.
 Traced traced(const SurfaceModel& body, const std::vector<Material>& materials,
-              const std::optional<GroundSpec>& ground, const SceneOptions& options, const Job& job,
-              const std::optional<Box3>& around = {}) {
+              const std::optional<GroundSpec>& ground, const SceneOptions& options,
+              const Job& job) {
     const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
     Traced all{Tracer(body, tracing, job)};
     if (!ground) {
         if (options.shadows) all.occluders.emplace(body, all.tracer, job);
         return all;
     }
-    const SurfaceModel seen = on_ground(body, around.value_or(all.tracer.bounds()), ground->z);
+    const SurfaceModel seen = on_ground(body, all.tracer.bounds(), ground->z);
     all.surroundings = Surroundings{ground->z, materials, Tracer(seen, tracing, job)};
     all.surroundings->materials.push_back(ground->material);
     if (options.shadows) all.occluders.emplace(seen, all.surroundings->tracer, job);
@@ -64,12 +65,19 @@ void Scene::set_picture_size(int wide, int high) {
     if (camera) camera->width = wide, camera->height = high;
 }
 
-Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
-                 const Job& job) {
-    const SceneSpec spec = spec_of(inputs, options.material, options.frame);
-    constexpr double reading = 3, building = 1, following = 1;
-    JobSteps steps(job, reading + building + (options.analysis ? following : 0));
-    auto [body, materials] = read_body(spec, options.load, steps.next(reading));
+namespace {
+
+/// Weights of the steps of opening a scene.
+constexpr double reading = 3, building = 1, following = 1;
+
+double weight_of_preparing(const SceneOptions& options) {
+    return building + (options.analysis ? following : 0);
+}
+
+/// The scene of a body that has been read.
+Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& options,
+               JobSteps& steps) {
+    auto& [body, materials] = painted;
     Traced all = traced(body, materials, spec.ground, options, steps.next(building));
     Scene scene{.model = std::move(body),
                 .materials = std::move(materials),
@@ -83,10 +91,34 @@ Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptio
                 .height = spec.height,
                 .surroundings = std::move(all.surroundings),
                 .max_depth = spec.max_depth,
-                .min_weight = spec.min_weight,
-                .inputs = {inputs.begin(), inputs.end()}};
+                .min_weight = spec.min_weight};
     if (options.analysis) take_analysis(scene, *options.analysis, steps.next(following));
     return scene;
+}
+
+} // namespace
+
+Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
+                 const Job& job) {
+    const SceneSpec spec = spec_of(inputs, options.material, options.frame);
+    JobSteps steps(job, reading + weight_of_preparing(options));
+    PaintedBody body = read_body(spec, options.load, steps.next(reading));
+    Scene scene = prepared(std::move(body), spec, options, steps);
+    scene.inputs = {inputs.begin(), inputs.end()};
+    return scene;
+}
+
+Scene scene_of_model(SurfaceModel body, const SceneOptions& options, const Job& job) {
+    const SceneSpec spec = spec_of({}, options.material);
+    JobSteps steps(job, weight_of_preparing(options));
+    std::vector<Material> materials(body.faces.size(), named_material(options.material));
+    return prepared({std::move(body), std::move(materials)}, spec, options, steps);
+}
+
+std::string source_of(const Scene& scene) {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& input : scene.inputs) names.push_back(input.string());
+    return names.empty() ? scene.model.source : comma_list(names);
 }
 
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {
@@ -99,26 +131,9 @@ Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options
     return scene;
 }
 
-Scene scene_of_body(const Scene& scene, SurfaceModel body, const Job& job) {
-    SceneOptions options;
-    options.shadows = scene.occluders.has_value();
-    Traced all =
-        traced(body, scene.materials, ground_of(scene), options, job, scene.tracer.bounds());
-    return {.model = std::move(body),
-            .materials = scene.materials,
-            .tracer = std::move(all.tracer),
-            .occluders = std::move(all.occluders),
-            .camera = scene.camera,
-            .view = scene.view,
-            .rig = scene.rig,
-            .background = scene.background,
-            .width = scene.width,
-            .height = scene.height,
-            .surroundings = std::move(all.surroundings),
-            .max_depth = scene.max_depth,
-            .min_weight = scene.min_weight,
-            .inputs = scene.inputs,
-            .analysis = scene.analysis};
+SurfaceModel visible_model(const Scene& scene, SurfaceModel body) {
+    if (!scene.surroundings) return body;
+    return on_ground(body, scene.tracer.bounds(), scene.surroundings->ground);
 }
 
 PictureOptions picture_options(const Scene& scene, PictureOptions options) {
@@ -129,7 +144,12 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options) {
 
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
                  PictureOptions options, const Job& job) {
-    Film film = render(scene.picture(rig), camera, picture_options(scene, std::move(options)), job);
+    return render_part(scene, scene.picture(rig), camera, std::move(options), job);
+}
+
+Film render_part(const Scene& scene, const PictureScene& part, const Camera& camera,
+                 PictureOptions options, const Job& job) {
+    Film film = render(part, camera, picture_options(scene, std::move(options)), job);
     if (const auto layer = film.aovs.find(Aov::face); layer != film.aovs.end())
         for (float& value : layer->second.values)
             if (value >= 0)

@@ -88,17 +88,27 @@ PictureOptions picture_options(const Scene& scene, PictureOptions options = {});
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options = {},
                  const Job& job = {});
 
+/// The scene of a body that has been read, in the named material. `load` of the options is not
+/// read. Throws Error for an unknown material, and for an analysis that hides every face.
+Scene scene_of_model(SurfaceModel body, const SceneOptions& options = {}, const Job& job = {});
+
+/// The files that a scene was opened from, or else the source of its body.
+std::string source_of(const Scene& scene);
+
 /// The scene with its body moved; ground, lamps and camera stay. `options` are those by which it
 /// was opened.
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options = {},
                   const Job& job = {});
 
-/// The scene with another body, which has as many faces, of the same materials. Ground, lamps and
-/// camera stay.
-Scene scene_of_body(const Scene& scene, SurfaceModel body, const Job& job = {});
+/// The visible geometry of a scene with another body in place of its own: that body and the ground.
+SurfaceModel visible_model(const Scene& scene, SurfaceModel body);
 
 /// Renders one picture of the scene under a rig.
 Film render_view(const Scene& scene, const LightRig& rig, const Camera& camera,
+                 PictureOptions options = {}, const Job& job = {});
+
+/// Renders one picture of a part of a scene; see seen_without.
+Film render_part(const Scene& scene, const PictureScene& part, const Camera& camera,
                  PictureOptions options = {}, const Job& job = {});
 
 /// Renders one picture that tone_mapped() will show: PictureOptions::white is about the film's own

@@ -14,6 +14,10 @@ namespace KEIKO_API keiko {
 /// "0.1.0"
 std::string version();
 
+/// Build of Keiko, by its build id, and the instruction set that it uses on this processor: what
+/// the last bits of results depend on.
+std::string program();
+
 /// The time of the clock in UTC, up to 31 characters; `format` is that of strftime.
 std::string utc_now(const char* format);
 

@@ -3,8 +3,13 @@
 #include "keiko/base/error.h"
 #include "keiko/base/new_file.h"
 
+#include "tests/support/abandoned_name.h"
 #include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>
+
+#include <chrono>
+#include <memory>
+#include <thread>
 
 namespace keiko {
 namespace {
@@ -50,10 +55,20 @@ TEST(FolderLock, LetsNobodyElseIn) {
     EXPECT_THROW(FolderLock(folder.path()), Error);
 }
 
+TEST(FolderLock, WaitsForOneThatEndsInTime) {
+    const test::TemporaryFolder folder;
+    auto held = std::make_unique<FolderLock>(folder.path());
+    std::jthread ends([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+        held.reset();
+    });
+    EXPECT_NO_THROW(FolderLock(folder.path(), std::chrono::minutes(1)));
+}
+
 TEST(FolderLock, ClearsAwayWhatKilledWritersLeft) {
     const test::TemporaryFolder folder;
-    fs::create_directory(folder.path() / ".keiko-999999999-1f.tmp");
-    folder.file(".keiko-999999999-2f.tmp", "half");
+    fs::create_directory(folder.path() / test::abandoned_name());
+    folder.file(test::abandoned_name(), "half");
     fs::create_directory(folder.path() / ".lost.before"); // set aside, its new one never came
     fs::create_directory(folder.path() / ".kept.before"); // set aside, its new one came
     fs::create_directory(folder.path() / "kept");

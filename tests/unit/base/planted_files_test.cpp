@@ -3,6 +3,7 @@
 #include "keiko/base/new_file.h"
 #include "keiko/base/output_file.h"
 
+#include "tests/support/abandoned_name.h"
 #include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>
 #include <sys/socket.h>
@@ -123,10 +124,19 @@ TEST(TemporaryName, IsNeverTheSameAndOfAProcessThatRuns) {
     const std::string first = temporary_name(), second = temporary_name();
     EXPECT_NE(first, second);
     EXPECT_FALSE(is_abandoned(first));
-    EXPECT_TRUE(is_abandoned(".keiko-999999999-1f.tmp"));
-    for (const char* other : {".keiko--1f.tmp", ".keiko-x-1f.tmp", ".keiko-999999999.tmp",
-                              "keiko-999999999-1f.tmp", ".keiko-999999999-1f.tmpl", ""})
+    const std::string gone = test::abandoned_name();
+    EXPECT_TRUE(is_abandoned(gone));
+    const std::string end = gone.substr(gone.find("99-") + 2);
+    for (const std::string& other :
+         {".keiko-" + end, ".keiko-x" + end, std::string(".keiko-999999999.tmp"), gone.substr(1),
+          gone + "l", std::string()})
         EXPECT_FALSE(is_abandoned(other)) << other;
+}
+
+TEST(TemporaryName, OfAnotherMachineIsNotJudged) {
+    const std::string gone = test::abandoned_name();
+    const std::string here = gone.substr(gone.find('-', gone.find("99-") + 3));
+    EXPECT_FALSE(is_abandoned(gone.substr(0, gone.size() - here.size()) + "-elsewhere.tmp"));
 }
 
 TEST(Streams, AReaderThatGoesAwayIsAnErrorAndEndsNobody) {

@@ -1,6 +1,11 @@
 #include "keiko/compare/alignment/closest_point_query.h"
 
+#include "keiko/compare/alignment/piece_bounds.h"
+#include "keiko/geometry/bezier/bezier.h"
+#include "keiko/geometry/bezier/subpatch.h"
+
 #include "tests/support/model_builder.h"
+#include "tests/unit/compare/uneven_sheet.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,6 +87,69 @@ TEST(ClosestPointQuery, FindsEveryPointOfTheBodyOnIt) {
             const Vec3 p = evaluate(placed.model.patch(0), {i / 20.0, j / 20.0}, 0).position();
             EXPECT_LT(feet.foot(p).distance, 1e-9);
         }
+}
+
+/// Random places up to 80 mm off the uneven sheet.
+std::vector<Vec3> places_about_sheet(int count) {
+    std::mt19937_64 random(3);
+    std::uniform_real_distribution<double> x(-40, 340), y(-40, 240), z(-80, 180);
+    std::vector<Vec3> places;
+    for (int i = 0; i < count; ++i) places.emplace_back(x(random), y(random), z(random));
+    return places;
+}
+
+TEST(ClosestPointQuery, FindsNothingFartherThanAnySample) {
+    const SurfaceModel sheet = test::uneven_sheet();
+    const ClosestPointQuery query(placed_model(sheet));
+    std::vector<Vec3> samples;
+    for (int i = 0; i <= 200; ++i)
+        for (int j = 0; j <= 200; ++j)
+            samples.push_back(evaluate(sheet.patch(0), Vec2(i / 200.0, j / 200.0), 0).position());
+    for (const Vec3& p : places_about_sheet(300)) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Vec3& sample : samples) least = std::min(least, (sample - p).length());
+        const ClosestSurfacePoint foot = query.foot(p);
+        EXPECT_LE(foot.distance, least + 1e-9);
+        EXPECT_LE(foot.nearest, foot.distance);
+        EXPECT_GT(foot.distance, least - 1.5); // the samples are 1.5 mm apart
+    }
+}
+
+TEST(ClosestPointQuery, FindsTheSameWhereverASearchBegins) {
+    const ClosestPointQuery query(placed_model(test::uneven_sheet()));
+    ClosestSurfacePoint last = query.foot(Vec3(0));
+    for (const Vec3& p : places_about_sheet(1000)) {
+        const ClosestSurfacePoint alone = query.foot(p);
+        const auto found = query.foot_from(last, p, 500);
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(found->distance, alone.distance, 1e-9);
+        EXPECT_EQ(found->certain(1e-6), alone.certain(1e-6));
+        last = *found;
+    }
+}
+
+TEST(PieceBounds, AreNotNearerThanThePieceNorProveAnother) {
+    const SurfaceModel sheet = test::uneven_sheet();
+    const std::vector<Vec4> part = subpatch(sheet.patch(0), {Vec2(0.25, 0.5), Vec2(0.5, 0.75)});
+    const BezierPatchView piece{3, 3, part};
+    const PieceBounds bounds(sub_patch_frame(piece));
+    int proved = 0, denied = 0;
+    for (const Vec3& p : places_about_sheet(2000)) {
+        const PieceProjection foot = piece_projection(piece, p);
+        EXPECT_LE(bounds.nearest(p), foot.distance + 1e-9);
+        if (!bounds.proves(p - foot.position)) {
+            ++denied;
+            continue;
+        }
+        ++proved;
+        for (int i = 0; i <= 16; ++i)
+            for (int j = 0; j <= 16; ++j) {
+                const Vec3 other = evaluate(piece, Vec2(i / 16.0, j / 16.0), 0).position();
+                EXPECT_GE((other - p).length(), foot.distance - 1e-9);
+            }
+    }
+    EXPECT_GT(proved, 500);
+    EXPECT_GT(denied, 10); // farther than the centres of curvature
 }
 
 TEST(PlacedModel, KeepsTheOutsideOutsideInAMirror) {

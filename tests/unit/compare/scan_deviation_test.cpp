@@ -1,12 +1,9 @@
 #include "keiko/compare/scan/scan_deviation.h"
 
-#include "keiko/base/units.h"
-#include "keiko/compare/alignment/alignment.h"
 #include "keiko/compare/scan/scan_map.h"
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/model_builder.h"
-#include "tests/unit/compare/uneven_sheet.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -146,50 +143,6 @@ TEST(ScanDeviation, IsTheSameForAnyNumberOfThreads) {
         EXPECT_EQ(one[i].distance, three[i].distance);
         EXPECT_EQ(one[i].closest, three[i].closest);
     }
-}
-
-/// Points of the sheet, each `noise` mm off to one of its sides, every other one to the other.
-std::vector<Vec3> points_of_sheet(const ClosestPointQuery& query, double noise) {
-    std::vector<Vec3> points;
-    for (std::size_t piece = 0; piece < query.piece_count(); ++piece)
-        for (int i = 0; i < 12; ++i)
-            for (int j = 0; j < 12; ++j)
-                if (const auto at = query.point(piece, Vec2((i + 0.5) / 12, (j + 0.5) / 12)))
-                    points.push_back(at->position + at->normal * ((i + j) % 2 ? noise : -noise));
-    return points;
-}
-
-TEST(AlignPoints, BringsAScanBackOntoTheExactSurface) {
-    const ClosestPointQuery query = query_of(test::uneven_sheet());
-    const Vec3 middle(150, 100, 20);
-    const Affine moved = Affine::translate(middle + Vec3(4, -3, 2)) *
-                         Affine::rotate({1, 2, 3}, degrees_to_radians(2)) *
-                         Affine::translate(-middle);
-    std::vector<Vec3> points = points_of_sheet(query, 0);
-    for (Vec3& point : points) point = moved.point(point);
-    const Alignment found = align_points(points, query);
-    EXPECT_TRUE(found.converged);
-    const Affine both = found.motion * moved;
-    for (const Vec3& p : {Vec3(0, 0, 0), Vec3(300, 0, 30), Vec3(0, 200, 60)})
-        EXPECT_LT((both.point(p) - p).length(), 1e-5);
-    EXPECT_LT(found.residual, 1e-6);
-}
-
-TEST(AlignPoints, StatesTheNoiseAsItsResidual) {
-    const ClosestPointQuery query = query_of(test::uneven_sheet());
-    const Alignment found =
-        align_points(points_of_sheet(query, 0.05), query, {.samples = 1u << 20});
-    EXPECT_TRUE(found.converged);
-    EXPECT_NEAR(found.residual, 0.05, 1e-4);
-    EXPECT_LE(found.residual, 0.05); // where they are, it is that much
-}
-
-TEST(AlignPoints, DoesNotLosePointsThatLieBeyondTheBorders) {
-    const ClosestPointQuery query = query_of(test::uneven_sheet());
-    std::vector<Vec3> points = points_of_sheet(query, 0);
-    for (int j = 0; j < 200; j += 10) points.emplace_back(-12, j, 5); // wider than the part
-    const Alignment found = align_points(points, query, {.samples = 1u << 20});
-    EXPECT_LT(found.shift.length(), 20);
 }
 
 TEST(ScanMap, HasTheMeanOfThePointsAroundAPixel) {

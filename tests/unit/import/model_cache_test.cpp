@@ -5,6 +5,7 @@
 #include "keiko/files/model/model_serialization.h"
 #include "keiko/import/worker/load_model.h"
 
+#include "tests/support/abandoned_name.h"
 #include "tests/support/model_builder.h"
 #include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>
@@ -301,7 +302,7 @@ TEST_F(Cache, AModelLargerThanTheLimitIsNotKeptAndRemovesNone) {
 
 TEST_F(Cache, WhatKilledWritersLeftIsRemoved) {
     load_model(folder.file("one.step", step_text), options);
-    std::ofstream(options.cache / ".keiko-999999999-1f.tmp") << "half";
+    std::ofstream(options.cache / test::abandoned_name()) << "half";
     load_model(folder.file("two.step", step_text), options);
     EXPECT_EQ(entries().size(), 2u);
 }

@@ -72,6 +72,38 @@ void expect_hardly_off(const Stage& stage, int edge_samples, double least_fitted
     }
 }
 
+/// A square of 24 x 24 pixels on the dome's top, whose normals swing by 25 degrees from pixel to
+/// pixel.
+std::vector<ShadingPoint> corrugated_square() {
+    std::vector<ShadingPoint> points(24 * 24);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const double x = static_cast<double>(i % 24), y = static_cast<double>(i / 24);
+        const double swing = 0.22 * std::sin(2 * x + 0.3 * y), sway = 0.1 * std::sin(0.2 * y);
+        points[i].place = {
+            {4 * x, 4 * y, 200}, Vec3(swing, sway, std::sqrt(1 - swing * swing - sway * sway)), 0};
+        points[i].eye = {0, 0, 1}, points[i].weight = Rgb(1);
+    }
+    return points;
+}
+
+/// Light of the square from the fit, less that of each of its places by itself, as a share of it.
+std::vector<double> errors_of_square(const Stage& stage, double allowed) {
+    const PictureOptions options;
+    const PictureScene scene{stage.tracer, stage.materials, stage.rig};
+    const Integrator integrator(scene, options);
+    const std::vector<ShadingPoint> points = corrugated_square();
+    std::vector<LitPlace> places;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        places.push_back(
+            {{static_cast<int>(i % 24), static_cast<int>(i / 24)}, &points[i], Rgb(0)});
+    const std::vector<DirectLight> light = unshadowed_light(integrator, places, allowed);
+    std::vector<double> errors;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        errors.push_back(light[i].illuminance.g / integrator.direct_light(points[i]).illuminance.g -
+                         1);
+    return errors;
+}
+
 } // namespace
 
 TEST(UnshadowedLight, IsHardlyOffByMoreThanAllowed) {
@@ -98,6 +130,26 @@ TEST(UnshadowedLight, FollowsShallowCreases) {
     Stage stage(builder.build());
     stage.camera.width = 384, stage.camera.height = 216;
     expect_hardly_off(stage, 1, 0.4);
+}
+
+// Neighbours that are no smooth surface are lit by one fit of position and normal.
+TEST(UnshadowedLight, FitsNormalsThatSwing) {
+    std::size_t fitted = 0, off = 0;
+    for (const double error : errors_of_square(domed_plate(), 5e-3)) {
+        fitted += error != 0 ? 1 : 0, off += std::abs(error) > 5e-3 ? 1 : 0;
+        EXPECT_LT(std::abs(error), 5 * 5e-3);
+    }
+    EXPECT_GT(fitted, 24U * 24U / 2);
+    EXPECT_LT(off, 24U * 24U / 50);
+}
+
+// The light of lobes follows normals too closely for that: only rows of pixels with like normals
+// are fitted.
+TEST(UnshadowedLight, HardlyFitsLobesWhereNormalsSwing) {
+    std::size_t fitted = 0;
+    for (const double error : errors_of_square(glossy(domed_plate()), 5e-3))
+        fitted += error != 0 ? 1 : 0;
+    EXPECT_LT(fitted, 24U * 24U / 20);
 }
 
 TEST(UnshadowedLight, HoldsTheErrorOfTheIlluminance) {
@@ -160,9 +212,10 @@ TEST(UnshadowedLight, IsTheSameForAnyThreadCount) {
     EXPECT_EQ(stage.render({}, 1).color.values, stage.render({}, 2).color.values);
 }
 
-// Places that coincide, whose light differs: no halves are left to be fitted.
+// Places that coincide, whose light differs: without normals in the fit, as for lobes, no halves
+// are left to be fitted.
 TEST(UnshadowedLight, OfPlacesThatCoincideIsThatOfEach) {
-    const Stage stage = domed_plate();
+    const Stage stage = glossy(domed_plate());
     const PictureOptions options;
     const PictureScene scene{stage.tracer, stage.materials, stage.rig};
     const Integrator integrator(scene, options);

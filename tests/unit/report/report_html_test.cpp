@@ -33,6 +33,24 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     EXPECT_EQ(json["close_ups"][1]["face"], 2);
 }
 
+TEST(ReportHtml, NotesStandWithTheirPlaces) {
+    Report noted = report();
+    EXPECT_EQ(report_html(noted).find(">Notes<"), std::string::npos);
+    EXPECT_TRUE(nlohmann::json::parse(report_json(noted))["notes"].empty());
+    const std::uint32_t id = noted.inspection.faces[1].id;
+    noted.notes = {{"mind <this>", {1, 2.5, 3}, id}, {"gone", {4, 5, 6}, 0}};
+    const std::string html = report_html(noted);
+    EXPECT_NE(html.find("<h2>Notes</h2>"), std::string::npos);
+    EXPECT_NE(html.find("mind &lt;this&gt;"), std::string::npos);
+    EXPECT_NE(html.find("(A&amp;B) at 1.0, 2.5, 3.0 mm"), std::string::npos);
+    EXPECT_NE(html.find("no place on this body any more; it was at 4.0, 5.0, 6.0 mm"),
+              std::string::npos);
+    const auto notes = nlohmann::json::parse(report_json(noted))["notes"];
+    EXPECT_EQ(notes[0],
+              (nlohmann::json{{"text", "mind <this>"}, {"place", {1, 2.5, 3}}, {"face", id}}));
+    EXPECT_TRUE(notes[1]["face"].is_null());
+}
+
 /// The first screen of a report with one fault.
 std::string first_screen(Report report, const TriageItem& fault) {
     report.triage = {{fault}, {}};

@@ -24,10 +24,16 @@ inline LightRig one_row() {
     return rig;
 }
 
-/// The hood of `surfaces` as `keiko view` has it.
-inline std::unique_ptr<ViewedScene> viewed_hood(CheckOptions check = {}) {
+/// The hood of `surfaces`.
+inline Scene hood_scene(const SceneOptions& options = {}) {
     const std::filesystem::path inputs[] = {keiko::test::repository("surfaces/hood.step")};
-    return std::make_unique<ViewedScene>(open_scene(inputs), NamedView{"small", small_camera(), 0},
+    return open_scene(inputs, options);
+}
+
+/// The hood of `surfaces` as `keiko view` has it.
+inline std::unique_ptr<ViewedScene> viewed_hood(CheckOptions check = {},
+                                                const SceneOptions& options = {}) {
+    return std::make_unique<ViewedScene>(hood_scene(options), NamedView{"small", small_camera(), 0},
                                          one_row(), std::move(check));
 }
 

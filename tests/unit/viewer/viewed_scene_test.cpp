@@ -31,6 +31,31 @@ TEST(ViewedScene, TakesCameraAndLampsOfARequestInPlaceOfItsOwn) {
     EXPECT_EQ(hood->rig().sources.size(), 1u);
 }
 
+TEST(ViewedScene, PicturesWithoutHiddenFacesAreThoseOfASceneWithoutThem) {
+    const SceneOptions shadows{.load = {}, .shadows = true};
+    const Scene scene = test::hood_scene(shadows);
+    const auto hood = test::viewed_hood({}, shadows);
+    ViewRequest request;
+    request.camera = test::small_camera();
+    const auto still = [&] { return hood->still(request, test::one_row(), {}).color.values; };
+    const auto rendered = [&](const Scene& of) {
+        return render_view(of, test::one_row(), test::small_camera()).color.values;
+    };
+    const auto whole = rendered(scene);
+    EXPECT_EQ(still(), whole);
+    for (const std::uint32_t hidden : {scene.model.faces[0].id, scene.model.faces[1].id}) {
+        request.hidden = {hidden};
+        const Scene part = without_faces(scene, request.hidden);
+        EXPECT_EQ(still(), rendered(part));
+        EXPECT_EQ(still(), rendered(part));
+        EXPECT_NE(still(), whole);
+        EXPECT_EQ(deep_bytes(hood->deep(request, {}, {})),
+                  deep_bytes(deep_view(part, test::small_camera())));
+    }
+    request.hidden.clear();
+    EXPECT_EQ(still(), whole);
+}
+
 TEST(ViewedScene, JudgesTheBodyThatItHasWithoutItsFile) {
     std::unique_ptr<ViewedScene> viewed;
     std::string expected;

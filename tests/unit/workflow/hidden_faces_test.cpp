@@ -59,6 +59,35 @@ TEST(HiddenFaces, AllOfThemLeaveTheGroundAlone) {
     EXPECT_EQ(whole.ground(), 0.0);
 }
 
+TEST(HiddenFaces, ShowWhatATracerMadeAnewShows) {
+    const Scene whole = hood(false, "ground = { z = 0 }\n");
+    const std::vector<std::uint32_t> ids = ids_of(whole);
+    const std::vector<std::uint32_t> hidden(ids.begin(), ids.begin() + 2);
+    const Scene part = without_faces(whole, hidden);
+    const Tracer anew(visible_model(whole, part.model), {.second_derivatives = true});
+    const DeepBuffer expected = deep_view(whole, anew, camera), found = deep_view(part, camera);
+    ASSERT_EQ(found.bounces.size(), expected.bounces.size());
+    std::size_t hits = 0;
+    for (std::size_t i = 0; i < found.samples.size(); ++i) {
+        const DeepSample &a = found.samples[i], &b = expected.samples[i];
+        ASSERT_EQ(a.face, b.face) << i;
+        if (b.face == 0) continue;
+        ++hits;
+        EXPECT_FLOAT_EQ(a.t, b.t) << i;
+        if (a.way != b.way) EXPECT_NEAR(a.way / b.way, 1, 1e-4) << i;
+    }
+    EXPECT_GT(hits, found.samples.size() / 4);
+}
+
+TEST(HiddenFaces, AreNotInATracerOfPicturesAlone) {
+    const Scene whole = hood();
+    const std::uint32_t id = whole.model.faces.front().id;
+    const Tracer seen = seen_without(whole, {&id, 1});
+    EXPECT_EQ(deep_bytes(deep_view(whole, seen, camera)),
+              deep_bytes(deep_view(without_faces(whole, {&id, 1}), camera)));
+    EXPECT_FALSE(occluders_without(whole, {&id, 1}, seen));
+}
+
 TEST(HiddenFaces, CastNoShadows) {
     const Scene whole = hood(true, "ground = { z = 0 }\n");
     const Scene bare = without_faces(whole, ids_of(whole));

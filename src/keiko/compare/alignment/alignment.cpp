@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/base/units.h"
 #include "keiko/compare/alignment/coarse_alignment.h"
+#include "keiko/compare/alignment/rigid_step.h"
 #include "keiko/geometry/trim/material_bounds.h"
 
 #include <algorithm>
@@ -12,15 +13,6 @@
 namespace keiko {
 namespace {
 
-SampleCloud cloud_of(const ClosestPointQuery& body, std::size_t count) {
-    const double spacing = sample_spacing(body, count);
-    SampleCloud cloud;
-    for (std::size_t i = 0; i < body.piece_count(); ++i)
-        for (const SurfaceSample& sample : piece_samples(body, i, spacing, 1))
-            cloud.push_back(sample);
-    return cloud;
-}
-
 SampleCloud thinned(const SampleCloud& cloud, std::size_t most) {
     const std::size_t step = std::max<std::size_t>(1, cloud.size() / most);
     SampleCloud some;
@@ -28,9 +20,8 @@ SampleCloud thinned(const SampleCloud& cloud, std::size_t most) {
     return some;
 }
 
-/// Constraint of a place of the body: to the nearest place of the other, to the nearest of its
-/// borders, or to the nearest that is not beyond these.
-enum class HeldBy { surface, border, inner_surface };
+/// Constraint of a place of the body: to the nearest place of the other, or of its borders.
+enum class HeldBy { surface, border };
 
 /// A place of the body, and how much it counts.
 struct Held {
@@ -71,9 +62,7 @@ Off off(const ClosestPointQuery& other, const Held& held, const Vec3& p, double 
         to = *foot;
     } else {
         const auto foot = other.foot(p, reach);
-        constexpr double rounding = 1e-6; // mm: nearer points have no direction
-        const bool beyond = foot && (foot->on_border || foot->is_beside(p, rounding));
-        if (!foot || (beyond && held.by == HeldBy::inner_surface)) return {};
+        if (!foot) return {};
         to = foot->position;
         if (!foot->on_border) normal = foot->normal;
     }
@@ -109,8 +98,11 @@ Turn turn_from(const ClosestPointQuery& other, const std::vector<Held>& held, co
     return turn;
 }
 
-void tell_motion(Alignment& found, const Vec3& centre) {
-    const auto& r = found.motion.rows;
+} // namespace
+
+Alignment alignment_of(const Affine& motion, const Vec3& centre) {
+    Alignment found{.motion = motion};
+    const auto& r = motion.rows;
     const Vec3 twice(r[2].y - r[1].z, r[0].z - r[2].x, r[1].x - r[0].y); // 2 sin of the angle
     const double cosine = (r[0].x + r[1].y + r[2].z - 1) / 2;
     found.angle = radians_to_degrees(std::atan2(twice.length() / 2, cosine));
@@ -123,72 +115,32 @@ void tell_motion(Alignment& found, const Vec3& centre) {
     }
     if (!half_turn) found.axis = twice;
     if (found.axis.length() > 0) found.axis.normalize();
-    found.shift = found.motion.point(centre) - centre;
-}
-
-/// Points at equal steps through all of them, `most` of them at most.
-SampleCloud cloud_of(std::span<const Vec3> points, std::size_t most) {
-    const std::size_t step =
-        std::max<std::size_t>(1, (points.size() + most - 1) / std::max<std::size_t>(most, 1));
-    SampleCloud cloud;
-    for (std::size_t i = 0; i < points.size(); i += step) {
-        SurfaceSample sample;
-        sample.point.position = points[i], sample.area = 1;
-        cloud.push_back(sample);
-    }
-    return cloud;
-}
-
-/// Lengths of steps, as shares of the size of the other.
-struct StepLimits {
-    double enough; ///< a shorter one ends the iteration
-    double most;   ///< a longer one is not made, and ends it without convergence
-};
-
-/// Iterates from the coarse alignment of `cloud`.
-Alignment aligned(const SampleCloud& cloud, const std::vector<Held>& held,
-                  const ClosestPointQuery& other, const AlignmentOptions& options,
-                  const StepLimits& limits, const Job& job) {
-    constexpr std::size_t few = 400, others = 3000;
-    const double size = material_bounds(other.body().model, job).size(), reach = size / 10;
-    const Vec3 centre = centre_of(cloud);
-    Alignment found;
-    found.motion = coarse_alignment(thinned(cloud, few), cloud_of(other, others), size, job);
-    double square = 0;
-    while (found.steps < options.most_steps && !found.converged) {
-        const Turn turn =
-            turn_from(other, held, found.motion, found.motion.point(centre), size, reach, job);
-        square = turn.square;
-        if (turn.step.length() > limits.most * size) break;
-        found.converged = turn.step.length() <= limits.enough * size;
-        found.motion = turn.step.motion() * found.motion;
-        ++found.steps;
-    }
-    found.residual = std::sqrt(square);
-    tell_motion(found, centre);
+    found.shift = motion.point(centre) - centre;
     return found;
 }
 
-} // namespace
-
 Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
                        const AlignmentOptions& options, const Job& job) {
-    constexpr std::size_t most_borders = 1000;
-    constexpr StepLimits limits{1e-11, std::numeric_limits<double>::infinity()};
-    const SampleCloud cloud = cloud_of(body, options.samples);
-    return aligned(cloud, held_places(body, cloud, most_borders), other, options, limits, job);
-}
-
-Alignment align_points(std::span<const Vec3> points, const ClosestPointQuery& other,
-                       const AlignmentOptions& options, const Job& job) {
-    // A point that changes between faces lets shorter steps linger. Points that come to lie beyond
-    // borders hold nothing any more, so that a long step could lose them all.
-    constexpr StepLimits limits{1e-9, 0.02};
-    const SampleCloud cloud = cloud_of(points, options.samples);
-    std::vector<Held> held;
-    for (const SurfaceSample& sample : cloud)
-        held.push_back({sample.point.position, 1, HeldBy::inner_surface});
-    return aligned(cloud, held, other, options, limits, job);
+    constexpr std::size_t most_borders = 1000, few = 400, others = 3000;
+    constexpr double enough = 1e-11; // of the size
+    const double size = material_bounds(other.body().model, job).size(), reach = size / 10;
+    const SampleCloud cloud = surface_cloud(body, options.samples);
+    const std::vector<Held> held = held_places(body, cloud, most_borders);
+    const Vec3 centre = centre_of(cloud);
+    Affine motion =
+        coarse_alignment(thinned(cloud, few), surface_cloud(other, others), size, 1, job);
+    int steps = 0;
+    bool converged = false;
+    double square = 0;
+    for (; steps < options.most_steps && !converged; ++steps) {
+        const Turn turn = turn_from(other, held, motion, motion.point(centre), size, reach, job);
+        const RigidTwist twist = turn.step.solution(rounding_share);
+        square = turn.square, converged = length_of(twist) <= enough * size;
+        motion = turn.step.motion(twist) * motion;
+    }
+    Alignment found = alignment_of(motion, centre);
+    found.residual = std::sqrt(square), found.steps = steps, found.converged = converged;
+    return found;
 }
 
 } // namespace keiko

@@ -3,8 +3,6 @@
 #include "keiko/base/export.h"
 #include "keiko/compare/alignment/closest_point_query.h"
 
-#include <span>
-
 namespace KEIKO_API keiko {
 
 /// The rigid motion that brings a body onto another.
@@ -19,9 +17,12 @@ struct Alignment {
     bool converged = false; ///< the last step was smaller than rounding
 };
 
-/// Options of align_bodies.
+/// A motion by its rotation and the shift of `centre`, as found in no step.
+Alignment alignment_of(const Affine& motion, const Vec3& centre);
+
+/// Options of an alignment.
 struct AlignmentOptions {
-    std::size_t samples = 3000; ///< about as many places of the body
+    std::size_t samples = 3000; ///< about as many places of the body, or points at most
     int most_steps = 200;       ///< of the iteration, at most
 };
 
@@ -32,12 +33,6 @@ struct AlignmentOptions {
 /// other, each tried on samples first. The same for any number of threads. Reports stage "align".
 /// Throws Cancelled.
 Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
-                       const AlignmentOptions& options = {}, const Job& job = {});
-
-/// Likewise for points that were measured on a body, as many of them as `options.samples` says, all
-/// of one weight. Points beyond the borders of the other hold nothing, nor do those farther than a
-/// tenth of its size. Reports stage "align". Throws Cancelled.
-Alignment align_points(std::span<const Vec3> points, const ClosestPointQuery& other,
                        const AlignmentOptions& options = {}, const Job& job = {});
 
 } // namespace keiko

@@ -37,12 +37,21 @@ public:
     Search(const Pieces& pieces, const Vec3& p, double reach, const FaceFilter& counts)
         : pieces_(pieces), p_(p), counts_(counts), material_(reach) {}
 
+    /// Begins where the search for another place has ended.
+    std::optional<ClosestSurfacePoint> run_from(std::uint32_t sub_patch, const Vec2& uv) {
+        first_ = sub_patch;
+        first_foot_ = project(sub_patch, view(sub_patch), unit_square, uv);
+        return run();
+    }
+
     std::optional<ClosestSurfacePoint> run() {
         pieces_.tree->visit_near(p_, material_, [&](std::uint32_t sub_patch) {
             if (counts_ && !counts_(pieces_.face(sub_patch))) return material_;
-            const BezierPatchView view =
-                pieces_.sub_patches.view(pieces_.sub_patches.sub_patches[sub_patch]);
-            look(sub_patch, view, unit_square, pieces_.convex[sub_patch], 0, 0);
+            const std::optional<Foot> known =
+                sub_patch == first_ ? std::optional(first_foot_) : std::nullopt;
+            const double size = pieces_.sub_patches.sub_patches[sub_patch].radius * 2;
+            look({sub_patch, view(sub_patch), unit_square, pieces_.bounds[sub_patch], 0, size, 0},
+                 known);
             return material_;
         });
         if (trimmed_ < material_) look_at_borders();
@@ -52,49 +61,76 @@ public:
     }
 
 private:
-    /// Tries the piece of a leaf over `box` of the leaf's parameters, a part of what `around` was
-    /// made of; `path` has a bit a halving, 1 for the upper half.
-    void look(std::uint32_t index, const BezierPatchView& piece, const Box2& box,
-              const Convexity& around, int halved, unsigned path) {
-        const SubPatch& sub_patch = pieces_.sub_patches.sub_patches[index];
-        const Vec3 local = p_ - sub_patch.center;
-        const Box3 hull = hull_bounds(piece);
-        const double nearest = (hull.nearest(local) - local).length();
+    /// A critical point of the distance to a piece.
+    struct Foot {
+        Vec2 uv;  ///< of the sub-patch
+        Vec3 off; ///< from it to the place
+        bool converged;
+    };
+    /// A part of a sub-patch.
+    struct Part {
+        std::uint32_t sub_patch;
+        BezierPatchView view;
+        Box2 box;                  ///< of the sub-patch's parameters
+        const PieceBounds& bounds; ///< of the part
+        double nearest;            ///< mm: no point of it is nearer, as far as is known
+        double size;               ///< mm, at least that of its box
+        int halved;
+    };
+
+    BezierPatchView view(std::uint32_t sub_patch) const {
+        return pieces_.sub_patches.view(pieces_.sub_patches.sub_patches[sub_patch]);
+    }
+    /// The place in the coordinates of a sub-patch.
+    Vec3 local(std::uint32_t sub_patch) const {
+        return p_ - pieces_.sub_patches.sub_patches[sub_patch].center;
+    }
+
+    /// Searches a part. `known` is a critical point of something that the part belongs to: it is
+    /// one of the part, too, if it lies there.
+    void look(const Part& part, std::optional<Foot> known) {
+        const Vec3 place = local(part.sub_patch);
+        const double nearest = std::max(part.nearest, part.bounds.nearest(place));
         if (nearest + least_gain >= material_) return;
-        bool proved = around.holds(piece, local);
-        std::optional<Convexity> own; // tighter, but dearer than to halve again
-        if (!proved && halved == 2)
-            proved = own.emplace(pieces_.quarters[index][path]).holds(piece, local);
-        else if (!proved && halved % 3 == 2)
-            proved = own.emplace(piece).holds(piece, local);
-        const bool small = hull.size() < small_piece * nearest;
-        if (proved || small || halved == most_halvings) {
-            if (!proved) unproved_ = std::min(unproved_, nearest);
-            take(index, piece_projection(piece, local), box);
+        if (!known || !part.box.contains(known->uv))
+            known = project(part.sub_patch, part.view, part.box, Vec2(0.5));
+        if (known->converged && part.bounds.proves(known->off)) return;
+        if (part.size < small_piece * nearest || part.halved == most_halvings) {
+            unproved_ = std::min(unproved_, nearest);
             return;
         }
-        // What is found now spares most of the halves.
-        take(index, piece_projection(piece, local), box);
-        const unsigned axis = longer_side(piece);
+        look_at_halves(part, place, known);
+    }
+
+    void look_at_halves(const Part& part, const Vec3& place, const std::optional<Foot>& known) {
+        const unsigned axis = longer_side(part.view);
         for (const bool upper : {false, true}) {
-            Box2 half = box;
-            (upper ? half.lower : half.upper)[axis] = box.center()[axis];
-            const std::vector<Vec4> points = subpatch(pieces_.sub_patches.view(sub_patch), half);
-            const BezierPatchView view{piece.degree_u, piece.degree_v, points};
-            look(index, view, half, own ? *own : around, halved + 1, 2 * path + upper);
+            Box2 half = part.box;
+            (upper ? half.lower : half.upper)[axis] = part.box.center()[axis];
+            const std::vector<Vec4> points = subpatch(view(part.sub_patch), half);
+            const BezierPatchView half_view{part.view.degree_u, part.view.degree_v, points};
+            const Box3 hull = hull_bounds(half_view);
+            const double away = (hull.nearest(place) - place).length();
+            if (away + least_gain >= material_) continue;
+            const PieceBounds bounds(sub_patch_frame(half_view)); // dearer than all before
+            look({part.sub_patch, half_view, half, bounds, away, hull.size(), part.halved + 1},
+                 known);
         }
     }
 
-    void take(std::uint32_t index, const PieceProjection& foot, const Box2& box) {
-        if (foot.distance >= material_) return;
-        const SubPatch& sub_patch = pieces_.sub_patches.sub_patches[index];
-        const Vec2 uv = box.lower + box.extent() * foot.uv;
-        if (!pieces_.is_material(sub_patch, uv)) {
-            trimmed_ = std::min(trimmed_, foot.distance);
-            return;
-        }
-        material_ = foot.distance;
-        sub_patch_ = index, uv_ = uv;
+    /// Finds a local minimum over a part of a sub-patch and takes it if it is the nearest so far.
+    Foot project(std::uint32_t index, const BezierPatchView& part, const Box2& box,
+                 const Vec2& start) {
+        const Vec3 place = local(index);
+        const PieceProjection found = piece_projection(part, place, start);
+        const Foot foot{box.lower + box.extent() * found.uv, place - found.position,
+                        found.converged};
+        if (found.distance >= material_) return foot;
+        if (pieces_.is_material(pieces_.sub_patches.sub_patches[index], foot.uv))
+            material_ = found.distance, sub_patch_ = index, uv_ = foot.uv;
+        else
+            trimmed_ = std::min(trimmed_, found.distance);
+        return foot;
     }
 
     void look_at_borders() {
@@ -114,7 +150,9 @@ private:
                 .normal = outward_normal(s, uv_, model.faces[face]),
                 .distance = material_,
                 .nearest = proved_bound(),
-                .on_border = false};
+                .on_border = false,
+                .piece = sub_patch_,
+                .uv = uv_};
     }
 
     ClosestSurfacePoint border_foot() const {
@@ -137,7 +175,9 @@ private:
     double trimmed_ = infinity;  ///< mm, of the nearest place found that is trimmed away
     double unproved_ = infinity; ///< mm, pieces without a proof are not nearer than this
     std::uint32_t sub_patch_ = no_index;
-    Vec2 uv_{0}; ///< of the leaf
+    Vec2 uv_{0};                     ///< of the sub-patch
+    std::uint32_t first_ = no_index; ///< sub-patch that was searched before all
+    Foot first_foot_{};              ///< of that one
     std::optional<ProjectedBoundaryPoint> border_;
 };
 
@@ -151,6 +191,12 @@ std::optional<ClosestSurfacePoint> ClosestPointQuery::foot(const Vec3& p, double
     if (reach > first_reach)
         if (auto found = Search(*pieces_, p, first_reach, counts).run()) return found;
     return Search(*pieces_, p, reach, counts).run();
+}
+
+std::optional<ClosestSurfacePoint> ClosestPointQuery::foot_from(const ClosestSurfacePoint& start,
+                                                                const Vec3& p, double reach) const {
+    if (start.on_border) return foot(p, reach);
+    return Search(*pieces_, p, reach, {}).run_from(start.piece, start.uv);
 }
 
 ClosestSurfacePoint ClosestPointQuery::foot(const Vec3& p) const {

@@ -13,12 +13,14 @@ namespace KEIKO_API keiko {
 
 /// The point of a body's material that is nearest to a given point.
 struct ClosestSurfacePoint {
-    std::uint32_t face = 0; ///< into the faces of the PlacedModel
-    Vec3 position{0};       ///< world, mm
-    Vec3 normal{0};         ///< unit, outward as the file has it; 0 where there is none
-    double distance = 0;    ///< mm
-    double nearest = 0;     ///< mm: nothing of the material is nearer than this, by proof
-    bool on_border = false; ///< the point lies beyond the border of a face
+    std::uint32_t face = 0;  ///< into the faces of the PlacedModel
+    Vec3 position{0};        ///< world, mm
+    Vec3 normal{0};          ///< unit, outward as the file has it; 0 where there is none
+    double distance = 0;     ///< mm
+    double nearest = 0;      ///< mm: nothing of the material is nearer than this, by proof
+    bool on_border = false;  ///< the point lies beyond the border of a face
+    std::uint32_t piece = 0; ///< of ClosestPointQuery; of no meaning on a border
+    Vec2 uv{0};              ///< of the piece, [0, 1]^2; of no meaning on a border
 
     /// Whether the distance is proved to within `tolerance` mm.
     bool certain(double tolerance) const { return distance - nearest <= tolerance; }
@@ -56,8 +58,8 @@ struct BorderPoint {
 using FaceFilter = std::function<bool(std::uint32_t face)>;
 
 /// Finds the nearest points of the exact trimmed surface of a body. Pieces of surface are tried by
-/// the distance of their boxes. Where the squared distance is proved convex over a piece, Newton's
-/// iteration finds its only minimum. Elsewhere the piece is halved, a few times: distances up to
+/// the distance of their boxes. On each, Newton's iteration finds a minimum. Where bounds of the
+/// piece do not prove it to be the only one, the piece is halved, a few times: distances up to
 /// about the radius of curvature are proved. A distance is the smallest to 1e-9 mm. What is nearer
 /// but trimmed away hands on to the borders, whose distance is found from polylines, not proved:
 /// `nearest` is then that of the untrimmed surface. Immutable; any thread may query.
@@ -72,6 +74,10 @@ public:
     /// Nearest point of the faces that count; nullopt where they are `reach` mm away or farther.
     std::optional<ClosestSurfacePoint> foot(const Vec3& p, double reach,
                                             const FaceFilter& counts = {}) const;
+    /// Nearest point of the whole body, likewise. The search begins at the nearest point of a place
+    /// near p, which makes it faster.
+    std::optional<ClosestSurfacePoint> foot_from(const ClosestSurfacePoint& start, const Vec3& p,
+                                                 double reach) const;
     /// Nearest point of the whole body, at any distance.
     ClosestSurfacePoint foot(const Vec3& p) const;
     /// The distance of a point to the borders of all faces, mm; infinity where it is `reach` or

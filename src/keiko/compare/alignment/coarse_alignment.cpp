@@ -1,6 +1,7 @@
 #include "keiko/compare/alignment/coarse_alignment.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/compare/alignment/rigid_step.h"
 #include "keiko/geometry/bvh/box_tree.h"
 #include "keiko/math/axes.h"
 
@@ -36,55 +37,13 @@ std::vector<SurfaceSample> piece_samples(const ClosestPointQuery& body, std::siz
     return samples;
 }
 
-void RigidStep::add(const Vec3& place, const Vec3& direction, double distance, double weight) {
-    const Vec3 turn = ((place - pivot_) / size_).cross(direction);
-    const std::array<double, 6> row{turn.x, turn.y, turn.z, direction.x, direction.y, direction.z};
-    for (std::size_t i = 0; i < 6; ++i) {
-        for (std::size_t j = 0; j < 6; ++j) matrix_[i][j] += weight * row[i] * row[j];
-        right_[i] -= weight * row[i] * distance;
-    }
-}
-
-/// Cholesky's decomposition of the matrix with a little of its trace on the diagonal, so that what
-/// is free does not move.
-std::array<double, 6> RigidStep::solution() const {
-    double trace = 0;
-    for (std::size_t i = 0; i < 6; ++i) trace += matrix_[i][i];
-    std::array<double, 6> x{};
-    if (!(trace > 0)) return x;
-    constexpr double damping = 1e-13;
-    auto l = matrix_;
-    for (std::size_t i = 0; i < 6; ++i) {
-        l[i][i] += damping * trace;
-        for (std::size_t j = 0; j <= i; ++j) {
-            double sum = l[i][j];
-            for (std::size_t k = 0; k < j; ++k) sum -= l[i][k] * l[j][k];
-            l[i][j] = i == j ? std::sqrt(std::max(sum, damping * trace)) : sum / l[j][j];
-        }
-    }
-    for (std::size_t i = 0; i < 6; ++i) {
-        x[i] = right_[i];
-        for (std::size_t k = 0; k < i; ++k) x[i] -= l[i][k] * x[k];
-        x[i] /= l[i][i];
-    }
-    for (std::size_t i = 6; i-- > 0;) {
-        for (std::size_t k = i + 1; k < 6; ++k) x[i] -= l[k][i] * x[k];
-        x[i] /= l[i][i];
-    }
-    return x;
-}
-
-Affine RigidStep::motion() const {
-    const std::array<double, 6> x = solution();
-    const Vec3 turn = Vec3(x[0], x[1], x[2]) / size_, shift(x[3], x[4], x[5]);
-    const Affine turned = turn == Vec3(0) ? Affine{} : Affine::rotate(turn, turn.length());
-    return Affine::translate(pivot_ + shift) * turned * Affine::translate(-pivot_);
-}
-
-double RigidStep::length() const {
-    double square = 0;
-    for (const double x : solution()) square += x * x;
-    return std::sqrt(square);
+SampleCloud surface_cloud(const ClosestPointQuery& body, std::size_t count) {
+    const double spacing = sample_spacing(body, count);
+    SampleCloud cloud;
+    for (std::size_t i = 0; i < body.piece_count(); ++i)
+        for (const SurfaceSample& sample : piece_samples(body, i, spacing, 1))
+            cloud.push_back(sample);
+    return cloud;
 }
 
 namespace {
@@ -154,26 +113,48 @@ struct Tried {
     double square = infinity; ///< mean square distance, mm2
 };
 
+/// A sample of the body, moved, and the other's place next to it.
+struct Pair {
+    Vec3 place, foot, normal;
+    double square = 0, area = 0; ///< mm2, of their distance; of the sample
+};
+
+/// The pairs of the samples at a motion, without the farthest ones.
+std::vector<Pair> nearest_pairs(const SampleCloud& body, const Cloud& other, const Affine& motion,
+                                double share) {
+    std::vector<Pair> pairs;
+    for (const SurfaceSample& sample : body) {
+        const Vec3 p = motion.point(sample.point.position);
+        const SurfacePoint& foot = other.nearest(p);
+        pairs.push_back(
+            {p, foot.position, foot.normal, (p - foot.position).length2(), sample.area});
+    }
+    std::stable_sort(pairs.begin(), pairs.end(),
+                     [](const Pair& a, const Pair& b) { return a.square < b.square; });
+    pairs.resize(static_cast<std::size_t>(std::ceil(share * static_cast<double>(pairs.size()))));
+    return pairs;
+}
+
 /// Steps by tangent planes for as long as they bring the clouds nearer.
-Tried improved(const SampleCloud& body, const Cloud& other, Affine motion, double size) {
+Tried improved(const SampleCloud& body, const Cloud& other, Affine motion, double size,
+               double share) {
     constexpr int most_steps = 60;
     Tried best;
     for (int i = 0; i < most_steps; ++i) {
         double square = 0, area = 0;
         RigidStep step(motion.point(centre_of(body)), size);
-        for (const SurfaceSample& sample : body) {
-            const Vec3 p = motion.point(sample.point.position);
-            const SurfacePoint& foot = other.nearest(p);
-            square += sample.area * (p - foot.position).length2(), area += sample.area;
-            step.add(p, foot.normal, (p - foot.position).dot(foot.normal), sample.area);
+        for (const Pair& pair : nearest_pairs(body, other, motion, share)) {
+            const Vec3 off = pair.place - pair.foot;
+            square += pair.area * pair.square, area += pair.area;
+            step.add(pair.place, pair.normal, off.dot(pair.normal), pair.area);
             // Points are held as well, a little: planes let them slide without end.
             constexpr double hold = 0.05;
             for (const Vec3& way : {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)})
-                step.add(p, way, (p - foot.position).dot(way), hold * sample.area);
+                step.add(pair.place, way, off.dot(way), hold * pair.area);
         }
         if (!(square / area < best.square * (1 - 1e-6))) break;
         best = {motion, square / area};
-        motion = step.motion() * motion;
+        motion = step.motion(step.solution(rounding_share)) * motion;
     }
     return best;
 }
@@ -189,12 +170,12 @@ Vec3 centre_of(const SampleCloud& cloud) {
 }
 
 Affine coarse_alignment(const SampleCloud& body, const SampleCloud& other, double size,
-                        const Job& job) {
+                        double share, const Job& job) {
     const std::vector<Affine> motions = starts(body, other);
     const Cloud cloud(other);
     std::vector<Tried> tried(motions.size());
     parallel_for(motions.size(), job, "align",
-                 [&](std::size_t i) { tried[i] = improved(body, cloud, motions[i], size); });
+                 [&](std::size_t i) { tried[i] = improved(body, cloud, motions[i], size, share); });
     double least = infinity;
     for (const Tried& one : tried) least = std::min(least, one.square);
     // Parts with a symmetry have several best ones: the smallest motion comes first.

@@ -2,11 +2,8 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
-#include "keiko/geometry/bezier/subpatch.h"
-#include "keiko/intersect/subpatch/sub_patch_frame.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace keiko {
@@ -50,86 +47,9 @@ std::optional<ProjectedBoundaryPoint> BoundaryProjection::foot(
 
 namespace {
 
-/// Bounds of a numerator of a frame's coordinate, its first and its second derivatives.
-struct Numerator {
-    double value, slope, bend;
-
-    /// Bound of the coordinate's second derivatives, by the quotient rule with the weight 1 + w.
-    double second(const ComponentBounds& w) const {
-        const double least = 1 - w.value;
-        return (bend + (2 * slope * w.slope + value * w.bend) / least +
-                2 * value * w.slope * w.slope / (least * least)) /
-               least;
-    }
-};
-
-/// Least length of a x + b y over the unit circle.
-double least_stretch(const Vec3& a, const Vec3& b) {
-    const double uu = a.length2(), vv = b.length2(), uv = a.dot(b);
-    return std::sqrt(std::max(0.0, (uu + vv) / 2 - std::hypot((uu - vv) / 2, uv)));
-}
-
-} // namespace
-
-Convexity::Convexity(const BezierPatchView& piece) {
-    const SubPatchFrame f = sub_patch_frame(piece);
-    if (!f.regular) return;
-    const auto& r = f.rows;
-    const double determinant = r[0].dot(r[1].cross(r[2]));
-    axes_ = {r[1].cross(r[2]) / determinant, r[2].cross(r[0]) / determinant,
-             r[0].cross(r[1]) / determinant};
-    const std::array<Numerator, 3> numerators{{{1 + f.u.value, 1 + f.u.slope, f.u.bend},
-                                               {1 + f.v.value, 1 + f.v.slope, f.v.bend},
-                                               {f.n.value, f.n.slope, f.n.bend}}};
-    double value = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-        second_[k] = numerators[k].second(f.w);
-        value += axes_[k].length() * numerators[k].value;
-    }
-    const double off = axes_[0].length() * f.u.slope + axes_[1].length() * f.v.slope +
-                       axes_[2].length() * f.n.slope;
-    const double least = 1 - f.w.value;
-    first_ = (least_stretch(axes_[0], axes_[1]) - off) / (1 + f.w.value) -
-             value * f.w.slope / (least * least);
-}
-
-bool Convexity::holds(const BezierPatchView& piece, const Vec3& p) const {
-    if (!(first_ > 0)) return false;
-    std::array<double, 3> reach{};
-    for (const Vec4& point : piece.points) {
-        const Vec3 off = euclidean(point) - p;
-        for (std::size_t k = 0; k < 3; ++k)
-            reach[k] = std::max(reach[k], std::abs(off.dot(axes_[k])));
-    }
-    return first_ * first_ > reach[0] * second_[0] + reach[1] * second_[1] + reach[2] * second_[2];
-}
-
-namespace {
-
 /// Bound of SubPatchFrame::contraction. Kept apart from TracerOptions: where an alignment from afar
 /// begins changes with the pieces.
 constexpr double piece_contraction = 0.65;
-
-/// Boxes of the leaf's parameters, the lower half first.
-std::array<Box2, 2> halves(const BezierPatchView& piece, const Box2& box) {
-    const unsigned axis = longer_side(piece);
-    std::array<Box2, 2> both{box, box};
-    both[0].upper[axis] = both[1].lower[axis] = box.center()[axis];
-    return both;
-}
-
-std::array<Convexity, 4> quarter_convexity(const BezierPatchView& sub_patch) {
-    std::array<Convexity, 4> quarters;
-    auto next = quarters.begin();
-    for (const Box2& half : halves(sub_patch, unit_square)) {
-        const std::vector<Vec4> points = subpatch(sub_patch, half);
-        for (const Box2& quarter : halves({sub_patch.degree_u, sub_patch.degree_v, points}, half)) {
-            const std::vector<Vec4> part = subpatch(sub_patch, quarter);
-            *next++ = Convexity({sub_patch.degree_u, sub_patch.degree_v, part});
-        }
-    }
-    return quarters;
-}
 
 } // namespace
 
@@ -162,12 +82,8 @@ ClosestPointQuery::Pieces::Pieces(PlacedModel placed, const Job& job) : body(std
         const BezierPatchView view = sub_patches.view(sub_patch);
         const Box3 box = hull_bounds(view);
         boxes.push_back({box.lower + sub_patch.center, box.upper + sub_patch.center});
-        convex.emplace_back(view);
     }
-    quarters.resize(sub_patches.sub_patches.size());
-    parallel_for(quarters.size(), job, "", [&](std::size_t i) {
-        quarters[i] = quarter_convexity(sub_patches.view(sub_patches.sub_patches[i]));
-    });
+    for (const SubPatchFrame& frame : sub_patches.frames) bounds.emplace_back(frame);
     tree.emplace(std::move(boxes));
     borders.emplace(model);
 }

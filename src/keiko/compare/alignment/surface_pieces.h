@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/compare/alignment/closest_point_query.h"
+#include "keiko/compare/alignment/piece_bounds.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/bezier/differential_geometry.h"
 #include "keiko/geometry/bvh/box_tree.h"
@@ -8,7 +9,6 @@
 #include "keiko/geometry/seam/boundary_curves.h"
 #include "keiko/intersect/subpatch/sub_patch.h"
 
-#include <array>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -55,43 +55,20 @@ private:
     std::optional<BoxTree> tree_;
 };
 
-/// Proof that the squared distance of a point to a piece of surface is convex over it, so that it
-/// has one minimum. For every unit direction v there, |S' v|^2 > |(S - p) . S'' v v|, by bounds on
-/// the control net in the frame of the mean tangents.
-class Convexity {
-public:
-    /// Holds nowhere.
-    Convexity() = default;
-    /// Bounds of a piece; those of one whose tangents span no plane hold nowhere.
-    explicit Convexity(const BezierPatchView& piece);
-
-    /// Whether it is proved over `piece`, which is what this was made of or a part of that. Never
-    /// at a pole.
-    bool holds(const BezierPatchView& piece, const Vec3& p) const;
-
-private:
-    std::array<Vec3, 3> axes_{Vec3(0), Vec3(0), Vec3(0)}; ///< S = centre + the sum of axes times X
-    double first_ = 0;                                    ///< least |S' v|, or less
-    std::array<double, 3> second_{};                      ///< largest |X'' v v| of each axis
-};
-
 /// The outward unit normal of a face, or 0.
 Vec3 outward_normal(const SurfaceDerivatives& s, const Vec2& uv, const Face& face);
 
-/// The axis along which a piece is halved, 0 where it is longer along u: Convexity is proved best
-/// for square ones.
+/// The axis along which a piece is halved, 0 where it is longer along u: bounds are tightest for
+/// square ones.
 unsigned longer_side(const BezierPatchView& piece);
 
 /// Faces of a body in pieces that are bent little, by place, as searched for nearest points.
 struct ClosestPointQuery::Pieces {
-    PlacedModel body;              ///< the body
-    std::vector<TrimRegion> trims; ///< a face
-    SubPatchSet sub_patches;       ///< the pieces
-    std::vector<Convexity> convex; ///< a leaf
-    /// A leaf halved twice by longer_side, the lower halves first: most proofs fail for a leaf and
-    /// hold for these.
-    std::vector<std::array<Convexity, 4>> quarters;
-    std::optional<BoxTree> tree;               ///< of the leaves' boxes
+    PlacedModel body;                          ///< the body
+    std::vector<TrimRegion> trims;             ///< a face
+    SubPatchSet sub_patches;                   ///< the pieces
+    std::vector<PieceBounds> bounds;           ///< of each piece
+    std::optional<BoxTree> tree;               ///< of the pieces' boxes
     std::optional<BoundaryProjection> borders; ///< of all faces of the body
 
     /// Throws Error for a body without faces, Cancelled.

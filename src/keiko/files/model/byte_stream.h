@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/base/export.h"
+
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -11,7 +13,7 @@
 #include <type_traits>
 #include <utility>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 static_assert(std::endian::native == std::endian::little,
               "numbers are written as they lie in memory, which must be little-endian");

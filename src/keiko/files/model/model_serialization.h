@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/files/model/byte_stream.h"
 #include "keiko/geometry/model/surface_model.h"
 
@@ -8,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Rises with every change of what is written.
 constexpr std::uint32_t model_serialization_version = 3;

@@ -75,10 +75,11 @@ std::vector<Vec4> subpatch(const BezierPatchView& patch, const Box2& box) {
     return points;
 }
 
-PieceProjection piece_projection(const BezierPatchView& piece, const Vec3& p) {
+PieceProjection piece_projection(const BezierPatchView& piece, const Vec3& p, const Vec2& start) {
     constexpr int most_steps = 40;
     constexpr double enough = 1e-11; // mm
-    Vec2 uv(0.5);
+    Vec2 uv = start;
+    bool converged = false;
     SurfaceDerivatives s = evaluate(piece, uv, 2);
     double square = (s.position() - p).length2();
     for (int i = 0; i < most_steps; ++i) {
@@ -95,13 +96,15 @@ PieceProjection piece_projection(const BezierPatchView& piece, const Vec3& p) {
             there = evaluate(piece, next, 2);
             square_there = (there.position() - p).length2();
         }
-        if (!(square_there <= not_worse)) break;
+        converged = !(square_there <= not_worse);
+        if (converged) break;
         const double moved =
             std::abs(next.x - uv.x) * f.speed.x + std::abs(next.y - uv.y) * f.speed.y;
         uv = next, s = there, square = square_there;
-        if (moved <= enough) break;
+        converged = moved <= enough;
+        if (converged) break;
     }
-    return {uv, s.position(), std::sqrt(square)};
+    return {uv, s.position(), std::sqrt(square), converged};
 }
 
 } // namespace keiko

@@ -79,6 +79,7 @@ void PacketIntersector::run(const SearchScene& scene, Goal goal, std::span<const
 }
 
 LaneMask PacketIntersector::visit(std::uint32_t box, LaneMask lanes) {
+    if (scene_->hidden && (*scene_->hidden)[box]) return 0;
     lowered_ = 0;
     const PackedSubPatch& hot = scene_->model.hot[box];
     if (!has_lanes(lanes, 2))

@@ -109,6 +109,8 @@ struct SearchScene {
     const EmbreeScene& boxes;       ///< one box for each of TracedModel::placed
     const SubPatchKernels& kernels; ///< of this processor
     bool clipping_only = false;     ///< as TracerOptions has it
+    /// By placed sub-patch whether rays pass through it; null: through none.
+    const std::vector<bool>* hidden = nullptr;
 };
 
 /// The search of up to 16 rays at once, as one packet when they are coherent. A sub-patch that the

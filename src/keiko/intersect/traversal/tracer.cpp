@@ -8,8 +8,10 @@
 #include "keiko/intersect/traversal/packet_intersector.h"
 
 #include <algorithm>
+#include <cassert>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -51,15 +53,6 @@ struct Tracer::Scene {
         for (PackedSubPatch& sub_patch : model.hot) sub_patch.set_unbounded();
     }
 
-    template <class Work>
-    void each_block(std::span<const Ray> rays, const Work& work) const;
-    /// Puts the nearest crossing of each ray into `found`, which must hold as many without a hit.
-    void find_nearest(std::span<const Ray> rays, std::span<Crossing> found) const {
-        each_block(rays, [&](PacketIntersector& search, const SearchScene& scene, std::size_t begin,
-                             std::span<const Ray> block) {
-            search.nearest(scene, block, found.subspan(begin, block.size()));
-        });
-    }
     /// All that Tracer::all has of a ray that crosses the model there.
     std::vector<Hit> merged_hits(const Ray& ray, std::span<const Crossing> crossings) const;
     SurfaceInteraction evaluation() const { return {model, kernels, options.second_derivatives}; }
@@ -68,13 +61,32 @@ struct Tracer::Scene {
     }
 };
 
-/// Calls `work(search, scene, first, rays)` for every block of rays; `first` is the index of its
-/// first ray.
+/// Sub-patches that rays pass through, and those that they do not.
+struct Tracer::Hidden {
+    std::vector<bool> sub_patches; ///< by placed sub-patch whether it is hidden
+    std::vector<Box3> boxes;       ///< of the others
+
+    Hidden(const Scene& scene, const std::vector<bool>& faces);
+};
+
+Tracer::Hidden::Hidden(const Scene& scene, const std::vector<bool>& faces) {
+    const TracedModel& model = scene.model;
+    assert(faces.size() == model.faces.size());
+    sub_patches.reserve(model.placed.size());
+    for (std::size_t i = 0; i < model.placed.size(); ++i) {
+        const SubPatch& sub_patch = model.sub_patches.sub_patches[model.placed[i].sub_patch];
+        sub_patches.push_back(faces[model.patches[sub_patch.patch].face]);
+        if (!sub_patches.back()) boxes.push_back(scene.sub_patch_boxes[i]);
+    }
+}
+
 template <class Work>
-void Tracer::Scene::each_block(std::span<const Ray> rays, const Work& work) const {
-    if (boxes.bounds().empty()) return;
+void Tracer::each_block(std::span<const Ray> rays, const Work& work) const {
+    if (boxes().empty()) return;
     PacketIntersector& search = block_search();
-    const SearchScene scene{model, boxes, kernels, options.clipping_only};
+    const SearchScene scene{scene_->model, scene_->boxes, scene_->kernels,
+                            scene_->options.clipping_only,
+                            hidden_ ? &hidden_->sub_patches : nullptr};
     for (std::size_t begin = 0; begin < rays.size(); begin += RayPacket::capacity) {
         const std::size_t count = std::min(RayPacket::capacity, rays.size() - begin);
         // Read when the block before them is done.
@@ -86,22 +98,33 @@ void Tracer::Scene::each_block(std::span<const Ray> rays, const Work& work) cons
 
 Tracer::Tracer(const SurfaceModel& model, const TracerOptions& options, const Job& job) {
     const auto begin = std::chrono::steady_clock::now();
-    scene_ = std::make_unique<Scene>(model, options, job);
-    TracerStatistics& s = scene_->statistics;
-    s.sub_patches = scene_->model.placed.size();
-    s.sub_patches_trimmed_away = scene_->model.sub_patches.trimmed_away;
-    for (const PlacedSubPatch& placed : scene_->model.placed)
+    const auto scene = std::make_shared<Scene>(model, options, job);
+    TracerStatistics& s = scene->statistics;
+    s.sub_patches = scene->model.placed.size();
+    s.sub_patches_trimmed_away = scene->model.sub_patches.trimmed_away;
+    for (const PlacedSubPatch& placed : scene->model.placed)
         s.sub_patches_mixed +=
-            scene_->model.sub_patches.sub_patches[placed.sub_patch].trim == TrimSide::mixed;
-    s.bytes = scene_->model.bytes();
-    s.instruction_set = scene_->kernels.name;
+            scene->model.sub_patches.sub_patches[placed.sub_patch].trim == TrimSide::mixed;
+    s.bytes = scene->model.bytes();
+    s.instruction_set = scene->kernels.name;
     s.build_seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    scene_ = scene;
 }
 
-Tracer::~Tracer() = default;
-Tracer::Tracer(Tracer&&) noexcept = default;
-Tracer& Tracer::operator=(Tracer&&) noexcept = default;
+Tracer::Tracer(std::shared_ptr<const Scene> scene, std::shared_ptr<const Hidden> hidden)
+    : scene_(std::move(scene)), hidden_(std::move(hidden)) {}
+
+Tracer Tracer::without(const std::vector<bool>& hidden) const {
+    return {scene_, std::make_shared<const Hidden>(*scene_, hidden)};
+}
+
+void Tracer::find_nearest(std::span<const Ray> rays, std::span<Crossing> found) const {
+    each_block(rays, [&](PacketIntersector& search, const SearchScene& scene, std::size_t begin,
+                         std::span<const Ray> block) {
+        search.nearest(scene, block, found.subspan(begin, block.size()));
+    });
+}
 
 std::optional<Hit> Tracer::hit_of(const Ray& ray, const Crossing& crossing) const {
     if (has(crossing.flags, HitFlags::seam)) return first_of(all(ray));
@@ -112,15 +135,15 @@ std::optional<Hit> Tracer::hit_of(const Ray& ray, const Crossing& crossing) cons
 
 std::optional<Hit> Tracer::nearest(const Ray& ray) const {
     Crossing first;
-    scene_->find_nearest(std::span(&ray, 1), std::span(&first, 1));
+    find_nearest(std::span(&ray, 1), std::span(&first, 1));
     return hit_of(ray, first);
 }
 
 bool Tracer::any(const Ray& ray) const {
     bool hit = false;
-    scene_->each_block(std::span(&ray, 1),
-                       [&](PacketIntersector& search, const SearchScene& scene, std::size_t,
-                           std::span<const Ray> block) { hit = search.any(scene, block) != 0; });
+    each_block(std::span(&ray, 1),
+               [&](PacketIntersector& search, const SearchScene& scene, std::size_t,
+                   std::span<const Ray> block) { hit = search.any(scene, block) != 0; });
     return hit;
 }
 
@@ -130,7 +153,7 @@ std::vector<Hit> Tracer::all(const Ray& ray) const {
 
 std::vector<Crossing> Tracer::nearest_crossings(std::span<const Ray> rays) const {
     std::vector<Crossing> found(rays.size());
-    scene_->find_nearest(rays, found);
+    find_nearest(rays, found);
     return found;
 }
 
@@ -191,8 +214,8 @@ FirstHits Tracer::first_hits(std::span<const Ray> rays, HitDetail detail) const 
 
 std::vector<bool> Tracer::any(std::span<const Ray> rays) const {
     std::vector<bool> hits(rays.size());
-    scene_->each_block(rays, [&](PacketIntersector& search, const SearchScene& scene,
-                                 std::size_t begin, std::span<const Ray> block) {
+    each_block(rays, [&](PacketIntersector& search, const SearchScene& scene, std::size_t begin,
+                         std::span<const Ray> block) {
         const LaneMask met = search.any(scene, block);
         for (std::size_t lane = 0; lane < block.size(); ++lane)
             hits[begin + lane] = (met >> lane & 1) != 0;
@@ -218,8 +241,8 @@ std::vector<Hit> Tracer::Scene::merged_hits(const Ray& ray,
 
 std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
     std::vector<std::vector<Hit>> hits(rays.size());
-    scene_->each_block(rays, [&](PacketIntersector& search, const SearchScene& scene,
-                                 std::size_t begin, std::span<const Ray> block) {
+    each_block(rays, [&](PacketIntersector& search, const SearchScene& scene, std::size_t begin,
+                         std::span<const Ray> block) {
         const std::span<const std::vector<Crossing>> found = search.all(scene, block);
         for (std::size_t lane = 0; lane < block.size(); ++lane)
             hits[begin + lane] = scene_->merged_hits(block[lane], found[lane]);
@@ -228,7 +251,7 @@ std::vector<std::vector<Hit>> Tracer::all(std::span<const Ray> rays) const {
 }
 
 std::span<const Box3> Tracer::boxes() const {
-    return scene_->sub_patch_boxes;
+    return hidden_ ? hidden_->boxes : scene_->sub_patch_boxes;
 }
 
 const TracerStatistics& Tracer::statistics() const {

@@ -58,6 +58,7 @@ struct FirstHits {
 /// Ray tracer of the trimmed surfaces of a model: sub-patches under Embree, trimmed by the exact
 /// p-curves. On them roots are proved and found by Newton's method or, where that fails, by Bezier
 /// clipping [Nishita1990]. Immutable after construction; every query may be called from any thread.
+/// Copies share what was built.
 /// It gives the same bits for any thread count and any company of rays in a query. A ray whose
 /// direction is not between 1e-140 and 1e150 long hits nothing. Neither does a ray from so far away
 /// (1e8 times the model's size) that rounding blurs its start by a four millionth of that size.
@@ -67,10 +68,12 @@ public:
     /// that is flat or sheared (condition number, by Frobenius norms, above 1e4).
     explicit Tracer(const SurfaceModel& model, const TracerOptions& options = {},
                     const Job& job = {});
-    ~Tracer();
-    /// Takes over the scene of another.
-    Tracer(Tracer&&) noexcept;
-    Tracer& operator=(Tracer&&) noexcept; ///< Takes over the scene of another.
+
+    /// Tracer of the whole model without some faces, through which rays pass. `hidden` has one
+    /// value a face. Nothing is built anew: it shares what was built, and may outlive this one. On
+    /// the other faces it has the same hits, bit for bit. Where one of them borders a hidden one,
+    /// the width of their seam still counts as material.
+    Tracer without(const std::vector<bool>& hidden) const;
 
     /// The first hit with t in [t_min, t_max], or nothing: the first of all(), but where two faces
     /// overlap within their seam's width it is the one met first, where all() may keep the
@@ -98,15 +101,21 @@ public:
 
     /// Cost and size of the build.
     const TracerStatistics& statistics() const;
-    /// World boxes of the sub-patches, mm: what the box hierarchy is made of.
+    /// World boxes of the sub-patches that rays may hit, mm.
     std::span<const Box3> boxes() const;
-    /// World box of the material, mm.
+    /// World box of the material, mm; with that of hidden faces.
     const Box3& bounds() const;
     /// How far apart, mm, part coordinates, a trim curve and the border of the neighbour that
     /// shares its edge may be for the two faces to count as one; see SeamGap.
     double seam_width(std::uint32_t trim_curve) const;
 
 private:
+    /// Calls `work(search, scene, first, rays)` for every block of rays; `first` is the index of
+    /// its first ray.
+    template <class Work>
+    void each_block(std::span<const Ray> rays, const Work& work) const;
+    /// Puts the nearest crossing of each ray into `found`, which must hold as many without a hit.
+    void find_nearest(std::span<const Ray> rays, std::span<Crossing> found) const;
     /// The hit at a ray's nearest crossing; within the band of a seam, the one that all() keeps.
     std::optional<Hit> hit_of(const Ray& ray, const Crossing& crossing) const;
 
@@ -117,7 +126,11 @@ private:
                   const Slot& slot, const Replace& replace) const;
 
     struct Scene;
-    std::unique_ptr<Scene> scene_;
+    struct Hidden;
+    Tracer(std::shared_ptr<const Scene> scene, std::shared_ptr<const Hidden> hidden);
+
+    std::shared_ptr<const Scene> scene_;
+    std::shared_ptr<const Hidden> hidden_; ///< null: nothing is hidden
 };
 
 } // namespace keiko

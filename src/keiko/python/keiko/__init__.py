@@ -7,24 +7,64 @@ import getpass as _getpass
 import html as _html
 import json as _json
 import os as _os
+import pathlib as _pathlib
+import tempfile as _tempfile
 
 import numpy as _np
 
-from ._keiko import (DeepBuffer, Error, Film, Mesh, Placement, Scene, accept_baselines, accept_findings, check_json,
-                     compare_json, deep_buffer, hit_dtype, illuminance_rows, info_json, lines_json, open_scene, place,
-                     regress_json, render_film, report_files, scan_deviations, scan_points, surface_mesh,
-                     version, write_report)
+from ._keiko import (Curve, DeepBuffer, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
+                     accept_findings, check_json, compare_json, deep_buffer, hit_dtype, illuminance_numbers, info_json,
+                     lines_json, load_model, open_scene, place_lamps, read_curves, regress_json, render_film, report_files,
+                     rig_of_file, rig_of_text, scan_deviations, scan_points, surface_mesh, unpickled_model, version,
+                     write_report)
 
 __version__ = version()
-__all__ = ["Check", "Comparison", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Mesh", "Placement",
-           "Regression", "Report", "ScanComparison", "Scene", "accept", "accept_baselines", "check", "compare",
-           "compare_scan", "deep_view", "hit_dtype", "illuminance", "info", "inspect", "lines", "mesh", "open_scene", "place",
-           "read_scan", "regress", "render", "version"]
+__all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Mesh", "Model",
+           "Placement", "Regression", "Report", "Rig", "ScanComparison", "Scene", "Spline", "accept",
+           "accept_baselines", "check", "compare", "compare_scan", "deep_view", "hit_dtype", "illuminance", "info",
+           "inspect", "lines", "load", "mesh", "open_scene", "place", "read_curves", "read_scan", "regress", "render",
+           "version"]
 
 
 def _framed(page: str) -> str:
     """A page in a frame of a notebook."""
     return f'<iframe srcdoc="{_html.escape(page)}" width="100%" height="720" frameborder="0"></iframe>'
+
+
+class Rig:
+    """Lamps, as the text of a rig file: `str(rig)`. Verbs take it where they take a rig file."""
+
+    def __init__(self, text: str):
+        self._text = rig_of_text(text)
+
+    @classmethod
+    def read(cls, file) -> "Rig":
+        """The lamps of a rig file. Luminaires are still read from the files that it names."""
+        return cls(rig_of_file(file))
+
+    @property
+    def text(self) -> str:
+        """The text of the rig file, always the same for the same lamps."""
+        return self._text
+
+    def write(self, file) -> None:
+        """Writes the rig file."""
+        _pathlib.Path(file).write_text(self._text, encoding="utf-8")
+
+    def __str__(self) -> str:
+        return self._text
+
+    def __eq__(self, other) -> bool:
+        return isinstance(other, Rig) and self._text == other._text
+
+    def __hash__(self) -> int:
+        return hash(self._text)
+
+    def __reduce__(self):
+        return type(self), (self._text,)
+
+    def __repr__(self) -> str:
+        return f"<Rig of {self._text.count('[[')} sources>"
 
 
 class Document:
@@ -182,9 +222,30 @@ class Regression(Document):
         return self._values["state"]
 
 
+def _unpickled(content, paths) -> Model:
+    """A model from a pickle."""
+    return unpickled_model(content, paths)
+
+
 def _reopen(paths, options) -> Scene:
     """A scene from a pickle."""
     return open_scene(paths, **options)
+
+
+def load(input, *, name: str = "", unit: str = "", axes: str = "", progress=None, threads: int = 0) -> Model:
+    """Reads a body once, for many verbs: a model file, several ones, or the bytes of one.
+
+    `check`, `info`, `compare`, `open_scene` and all that take a scene take the Model too. `name` stands for the
+    file in reports and errors; bytes of a STEP, IGES or BREP file, of what kind is found from them, are called
+    "bytes" without one. `unit` and `axes` are those of `keiko check`. A Model is pickled by its content.
+    """
+    if not isinstance(input, (bytes, bytearray, memoryview)):
+        paths = [input] if isinstance(input, (str, _os.PathLike)) else list(input)
+        return load_model(paths, name, unit, axes, progress, threads)
+    with _tempfile.TemporaryDirectory() as folder:
+        path = _pathlib.Path(folder) / "model"
+        path.write_bytes(input)
+        return load_model([path], name or "bytes", unit, axes, progress, threads)
 
 
 def _opened(scene, progress, threads) -> Scene:
@@ -208,7 +269,7 @@ def _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_c
 def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str = "", axes: str = "",
           faces=(), layers=(), colors=(), zones=(), joints: bool = False, sections=(), iso_curves: int = 0,
           profiles: bool = False, accepted=None, progress=None, threads: int = 0) -> Check:
-    """Judges the geometry of model files, or of one scene file, by a preset or a preset file.
+    """Judges the geometry of model files, of one scene file, a Model or a Scene, by a preset or a preset file.
 
     `faces`, `layers`, `colors` and `zones` judge a part of the body, by the words of `keiko check`. `joints`
     measures gap and flush between panels. `sections` ("y=120") and `iso_curves` fill `combs`, `profiles`
@@ -223,7 +284,7 @@ def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=()
             accepted=None, close_ups: int = 12, progress=None, threads: int = 0) -> Report:
     """Places lamps, renders views, measures and judges. `scene`: a Scene, or what opens one.
 
-    What `check` has too means the same. `close_ups`: pictures of the worst findings, at most.
+    What `check` has too means the same. `rig` is a rig file or a Rig. `close_ups`: pictures of the worst findings, at most.
     """
     scene = _opened(scene, progress, threads)
     judging = _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_curves, accepted)
@@ -242,16 +303,27 @@ def accept(report, items, output, *, why: str, who: str = "", until: str = "") -
     return accept_findings(report, numbers, output, why=why, who=who or _getpass.getuser(), until=until)
 
 
+def place(scene, *, views=(), lamps: int = 12, planes: int = 3, progress=None, threads: int = 0) -> Placement:
+    """Places rows of `lamps` lamps on up to `planes` planes where the body reflects the eyes of the views.
+
+    The result has the `rig`, the share of the body that mirrors it as `coverage`, and `remarks`.
+    """
+    return place_lamps(_opened(scene, progress, threads), _words(views), lamps, planes, progress, threads)
+
+
 def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), join: float = 0.5, progress=None,
           threads: int = 0) -> Lines:
-    """Follows the reflections of lamps on the surfaces and judges them where they cross seams."""
+    """Follows the reflections of lamps on the surfaces and judges them where they cross seams.
+
+    `rig` is a rig file or a Rig; without one the lamps are the scene's own.
+    """
     scene = _opened(scene, progress, threads)
     return Lines(lines_json(scene, rig, list(views), preset, join, progress, threads))
 
 
 def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, align: bool = False,
             progress=None, threads: int = 0) -> Comparison:
-    """Compares the geometry, seams and findings of two model files or scene files."""
+    """Compares the geometry, seams and findings of two bodies: model files, scene files, Models or Scenes."""
     return Comparison(compare_json(before, after, preset, join, align, progress, threads))
 
 
@@ -297,7 +369,7 @@ def mesh(scene, fields=(), *, deviation: float = 0.1, pull=(0, 0, 1), against=No
 
 def info(file, *, unit: str = "", axes: str = "", join: float = 0.5, progress=None,
          threads: int = 0) -> Facts:
-    """Summarises a model file: faces, patches, borders, losses and repairs."""
+    """Summarises a model file or a Model: faces, patches, borders, losses and repairs."""
     return Facts(info_json(file, unit, axes, join, progress, threads))
 
 
@@ -307,16 +379,15 @@ def regress(suite, output="keiko-regress", *, baselines="", only=(), fresh: bool
     return Regression(regress_json(suite, output, baselines, list(only), fresh, progress, threads))
 
 
-def illuminance(scene, points, normals, *, progress=None, threads: int = 0):
-    """Illuminance in lx at points (n, 3), in mm, with unit normals (n, 3), by the scene's lamps.
+def illuminance(scene, points, normals, *, rig=None, progress=None, threads: int = 0):
+    """Illuminance in lx at points (n, 3), in mm, with normals (n, 3), by the scene's lamps or those of `rig`.
 
     Returns a structured array of n rows: a column for each source, "c_plane.0", and "sum".
     """
     rows = _np.hstack([_np.asarray(points, float), _np.asarray(normals, float)])
-    header, *values = illuminance_rows(scene, rows, progress, threads).splitlines()
-    names = header.split(",")
-    return _np.array([tuple(map(float, row.split(","))) for row in values],
-                     dtype=[(name, float) for name in names])
+    scene = _opened(scene, progress, threads)
+    names, numbers = illuminance_numbers(scene, rows, rig, progress, threads)
+    return numbers.view([(name, float) for name in names]).reshape(len(rows))
 
 
 def deep_view(scene, view: str = "", *, width: int | None = None, height: int | None = None, reflections: int = 3,
@@ -335,7 +406,7 @@ def render(scene, view: str = "", *, rig=None, width: int | None = None, height:
     """The picture of a scene: `numpy.asarray` of it is height x width x 3, cd/m2.
 
     `view` is what `keiko render --view` takes: a name, "auto", "scene", or a view file; empty for the
-    scene's own, or else the one that shows the body best. `rig` is a rig file; without one the lamps
+    scene's own, or else the one that shows the body best. `rig` is a rig file or a Rig; without one the lamps
     are the scene's own, or placed for the view. Without width and height: the scene's own size.
     """
     scene = _opened(scene, progress, threads)

@@ -13,8 +13,8 @@ double dot(std::span<const double> a, std::span<const double> b) {
 
 } // namespace
 
-QuadraticFit::QuadraticFit(std::span<const Vec2> nodes) {
-    for (const Vec2& node : nodes) nodes_.push_back(monomials(node));
+QuadraticFit::QuadraticFit(std::span<const ChartPlace> nodes) {
+    for (const ChartPlace& node : nodes) nodes_.push_back(monomials(node));
     constexpr double least_share = 1e-3; // of a term, that no other explains
     for (std::size_t number = 0; number < std::tuple_size_v<Monomials>; ++number) {
         Term term = monomial(number);

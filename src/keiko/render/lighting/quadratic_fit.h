@@ -10,15 +10,25 @@
 
 namespace keiko {
 
-/// Monomials of a place in a plane: 1, x, y, x^2, x y, y^2.
-using Monomials = std::array<double, 6>;
+/// Place of a surface before a plane, which light without shadows depends on alone.
+struct ChartPlace {
+    Vec2 at{0};        ///< position on the plane
+    double height = 0; ///< over the plane, in the unit of `at`
+    Vec2 tilt{0};      ///< component of the unit normal along the plane
+};
+
+/// Monomials of a place of position x, y, height h and tilt s, t: 1, x, y, x^2, x y, y^2, h, s, t,
+/// s^2, s t, t^2.
+using Monomials = std::array<double, 12>;
 
 /// The monomials of a place.
-inline Monomials monomials(const Vec2& p) {
-    return {1, p.x, p.y, p.x * p.x, p.x * p.y, p.y * p.y};
+inline Monomials monomials(const ChartPlace& place) {
+    const Vec2 &p = place.at, &n = place.tilt;
+    return {1,   p.x, p.y,       p.x * p.x, p.x * p.y, p.y * p.y, place.height,
+            n.x, n.y, n.x * n.x, n.x * n.y, n.y * n.y};
 }
 
-/// Polynomial of degree two of a place in a plane. Value: one of a vector space.
+/// Polynomial of a place by its monomials. Value: one of a vector space.
 template <class Value>
 class Quadratic {
 public:
@@ -40,13 +50,13 @@ private:
     std::array<Value, std::tuple_size_v<Monomials>> factors_; ///< of the monomials
 };
 
-/// Fit of polynomials of degree two to values at nodes, by least squares: Gram and Schmidt's method
+/// Fit of polynomials to values at nodes, by least squares: Gram and Schmidt's method
 /// [GolubVanLoan2013, section 5.2].
 class QuadraticFit {
 public:
     /// Fit to values at `nodes`, one at least. Coordinates should be about -1 to 1. Terms that the
-    /// nodes cannot tell from others are left out, such as all of y for nodes on a line.
-    explicit QuadraticFit(std::span<const Vec2> nodes);
+    /// nodes cannot tell from others are left out, such as all of the tilt for nodes on a plane.
+    explicit QuadraticFit(std::span<const ChartPlace> nodes);
 
     /// The polynomial nearest to `values`, one a node.
     template <class Value>

@@ -14,9 +14,16 @@
 namespace keiko {
 namespace {
 
-/// Places of a region whose light is computed: twice the terms of the polynomial, so that each is
-/// tested by as many as determine it.
-constexpr std::size_t node_count = 2 * std::tuple_size_v<Monomials>;
+/// Places of a region whose light is computed: half as many again as the polynomial has terms. Flat
+/// regions leave out those of the tilt.
+constexpr std::size_t node_count = 3 * std::tuple_size_v<Monomials> / 2;
+/// Number of such places where there are lobes: some twice the terms of the position.
+constexpr std::size_t lobe_node_count = 12;
+/// Distances between normals count this much more than those between positions, from -1 to 1 in a
+/// region: the light depends more on where a surface faces than on where it is.
+constexpr double tilt_weight = 4;
+/// Cosine between the normals of neighbours in a region.
+constexpr double least_alike = 0.5;
 /// Places with more leverage than this are lit themselves: the nodes do not surround them.
 constexpr double most_leverage = 1;
 /// Radians that a normal may be off the fit of the nodes' normals, in the allowed relative error of
@@ -28,12 +35,15 @@ constexpr double least_own_share = 0.1;
 constexpr double lit_first = 1.5;
 
 using Places = std::vector<std::size_t>; ///< numbers of places, rising
+using Chart = std::vector<ChartPlace>;   ///< of the places of a region
 
-/// Sets of neighbouring places that show one smooth surface.
-class SmoothRegions {
+/// Sets of neighbouring places of one paint that face about the same way. They may show several
+/// surfaces: without shadows, light on a base depends on position and normal alone. Those of a
+/// paint with lobes show one smooth surface.
+class LitRegions {
 public:
-    explicit SmoothRegions(std::span<const LitPlace> places)
-        : places_(places), sets_(places.size()) {
+    LitRegions(const Integrator& integrator, std::span<const LitPlace> places)
+        : integrator_(integrator), places_(places), sets_(places.size()) {
         for (const LitPlace& place : places) {
             width_ = std::max(width_, place.pixel.x + 1);
             height_ = std::max(height_, place.pixel.y + 1);
@@ -63,12 +73,15 @@ private:
             pixels[index(places_[i].pixel.x, places_[i].pixel.y)].push_back(i);
         return pixels;
     }
+    bool alike(std::size_t i, std::size_t j) const {
+        const SurfacePlace &a = places_[i].point->place, &b = places_[j].point->place;
+        if (integrator_.has_lobes(*places_[i].point)) return is_same_surface(a, b);
+        return a.paint == b.paint && a.normal.dot(b.normal) > least_alike;
+    }
     void join(const Places& a, const Places& b) {
         for (const std::size_t i : a)
             for (const std::size_t j : b)
-                if (sets_.root(i) != sets_.root(j) &&
-                    is_same_surface(places_[i].point->place, places_[j].point->place))
-                    sets_.join(i, j);
+                if (sets_.root(i) != sets_.root(j) && alike(i, j)) sets_.join(i, j);
     }
     std::vector<Places> sets() {
         std::vector<Places> of_root(places_.size());
@@ -77,33 +90,77 @@ private:
         return of_root;
     }
 
+    const Integrator& integrator_;
     std::span<const LitPlace> places_;
     DisjointSets sets_;
     int width_ = 0, height_ = 0; ///< px
 };
 
-/// Positions of a region's places on the plane across the mean of their normals, -1 to 1.
-std::vector<Vec2> chart_of(std::span<const LitPlace> places, const Places& region) {
-    const Vec3 first = places[region[0]].point->place.normal;
+/// Mean direction of the normals of a region, a unit vector.
+Vec3 mean_normal(std::span<const LitPlace> places, const Places& region) {
     Vec3 sum(0);
-    for (const std::size_t i : region) {
-        const Vec3& normal = places[i].point->place.normal;
-        sum += normal.dot(first) < 0 ? -normal : normal;
-    }
-    const Vec3 mean = sum.length() > 0 ? sum.normalized() : first;
+    for (const std::size_t i : region) sum += places[i].point->place.normal;
+    return sum.length() > 0 ? sum.normalized() : places[region[0]].point->place.normal;
+}
+
+/// A region's places before the plane across the mean of their normals, positions from -1 to 1. No
+/// place is tilted unless `tilted`.
+Chart chart_of(std::span<const LitPlace> places, const Places& region, bool tilted) {
+    const Vec3 mean = mean_normal(places, region);
     const Vec3 beside = std::abs(mean.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
     const Vec3 along = mean.cross(beside).normalized(), across = mean.cross(along);
-    std::vector<Vec2> chart;
-    Box2 around;
+    const auto turned = [&](const Vec3& w) {
+        return Vec3(along.dot(w), across.dot(w), mean.dot(w));
+    };
+    std::vector<Vec3> positions;
+    Box3 around;
     for (const std::size_t i : region) {
-        const Vec3& position = places[i].point->place.position;
-        chart.emplace_back(along.dot(position), across.dot(position));
-        around.extend(chart.back());
+        positions.push_back(turned(places[i].point->place.position));
+        around.extend(positions.back());
     }
-    const double size = std::max(around.extent().x, around.extent().y) / 2;
+    const Vec3 extent = around.extent();
+    const double size = std::max({extent.x, extent.y, extent.z}) / 2;
     const double scale = size > 0 ? 1 / size : 1;
-    for (Vec2& place : chart) place = (place - around.center()) * scale;
+    Chart chart;
+    for (std::size_t i = 0; i < region.size(); ++i) {
+        const Vec3 at = (positions[i] - around.center()) * scale;
+        const Vec3 normal = turned(places[region[i]].point->place.normal);
+        chart.push_back({{at.x, at.y}, at.z, tilted ? Vec2(normal.x, normal.y) : Vec2(0)});
+    }
     return chart;
+}
+
+/// Coordinates by which places of a region are near to each other.
+using Coordinates = std::array<double, 5>;
+
+Coordinates coordinates(const ChartPlace& place) {
+    return {place.at.x, place.at.y, place.height, tilt_weight * place.tilt.x,
+            tilt_weight * place.tilt.y};
+}
+
+double distance2(const ChartPlace& a, const ChartPlace& b) {
+    const Coordinates from = coordinates(a), to = coordinates(b);
+    double sum = 0;
+    for (std::size_t i = 0; i < from.size(); ++i) sum += (to[i] - from[i]) * (to[i] - from[i]);
+    return sum;
+}
+
+/// The places of a region on both sides of the middle of the widest of their coordinates.
+std::array<Places, 2> halves(const Places& region, const Chart& chart) {
+    Coordinates low = coordinates(chart[0]), high = low;
+    for (const ChartPlace& place : chart) {
+        const Coordinates here = coordinates(place);
+        for (std::size_t i = 0; i < here.size(); ++i)
+            low[i] = std::min(low[i], here[i]), high[i] = std::max(high[i], here[i]);
+    }
+    std::size_t widest = 0;
+    for (std::size_t i = 1; i < low.size(); ++i)
+        if (high[i] - low[i] > high[widest] - low[widest]) widest = i;
+    const double middle = (low[widest] + high[widest]) / 2;
+    std::array<Places, 2> halves;
+    for (std::size_t i = 0; i < region.size(); ++i)
+        halves[coordinates(chart[i])[widest] > middle ? 1 : 0].push_back(region[i]);
+    return halves;
 }
 
 class UnshadowedLight {
@@ -116,15 +173,17 @@ public:
           is_lit_(places.size()) {}
 
     std::vector<DirectLight> light() {
-        for (const Places& region : SmoothRegions(places_).regions()) light(region);
+        for (const Places& region : LitRegions(integrator_, places_).regions()) light(region);
         return std::move(light_);
     }
 
 private:
     void light(const Places& region) {
-        if (!(error_ > 0) || region.size() <= node_count) return light_each(region);
-        const std::vector<Vec2> chart = chart_of(places_, region);
-        if (fit(region, chart)) return;
+        const bool has_lobes = integrator_.has_lobes(*places_[region[0]].point);
+        const std::size_t count = has_lobes ? lobe_node_count : node_count;
+        if (!(error_ > 0) || region.size() <= count) return light_each(region);
+        const Chart chart = chart_of(places_, region, !has_lobes);
+        if (fit(region, chart, count)) return;
         const auto [low, high] = halves(region, chart);
         if (high.empty()) return light_each(region);
         light(low);
@@ -139,12 +198,12 @@ private:
         is_lit_[place] = true;
     }
     /// Lights a region by a fit; false if its nodes, or all other places, deviate from it.
-    bool fit(const Places& region, const std::vector<Vec2>& chart) {
-        std::vector<Vec2> nodes;
+    bool fit(const Places& region, const Chart& chart, std::size_t count) {
+        Chart nodes;
         std::vector<DirectLight> lights;
         std::vector<Vec3> normals;
         std::vector<ErrorBudget> budgets;
-        const Places chosen = nodes_of(region, chart);
+        const Places chosen = nodes_of(region, chart, count);
         for (const std::size_t node : chosen) {
             light(region[node]);
             nodes.push_back(chart[node]);
@@ -166,22 +225,25 @@ private:
         for (const ErrorBudget& budget : budgets) least = std::min(least, budget.share());
         return least;
     }
-    /// Lights the other places of a region by a fit, and those whose normals are farther than
-    /// `most` radians off theirs as a region of their own; false if all are.
-    bool fill(const Places& region, const std::vector<Vec2>& chart, const QuadraticFit& fit,
+    /// Lights the other places of a region by a fit. Those whose normals are farther than `most`
+    /// radians off theirs, or to which it extrapolates, form a region of their own. False if none
+    /// is lit by the fit.
+    bool fill(const Places& region, const Chart& chart, const QuadraticFit& fit,
               const Quadratic<DirectLight>& fitted, const Quadratic<Vec3>& fitted_normal,
               double most) {
         Places off;
+        bool fits_any = false;
         for (std::size_t i = 0; i < region.size(); ++i) {
             if (is_lit_[region[i]]) continue;
             const Monomials powers = monomials(chart[i]);
             const double bend = (fitted_normal.at(powers) - normal(region[i])).length();
             if (fit.leverage(powers) <= most_leverage && bend <= most)
-                light_[region[i]] = fitted.at(powers);
+                light_[region[i]] = fitted.at(powers), fits_any = true;
             else
                 off.push_back(region[i]);
         }
-        if (off.size() + node_count >= region.size()) return false;
+        if (off.empty()) return true;
+        if (!fits_any) return false;
         light(off);
         return true;
     }
@@ -194,15 +256,15 @@ private:
         return allowed.used_by(light - fitted.at(powers)) <= share;
     }
     /// Numbers of places of a region as far from each other as can be, rather of lit ones.
-    Places nodes_of(const Places& region, const std::vector<Vec2>& chart) const {
+    Places nodes_of(const Places& region, const Chart& chart, std::size_t count) const {
         std::vector<double> apart(region.size(), std::numeric_limits<double>::infinity());
         Places nodes;
-        while (nodes.size() < node_count) {
+        while (nodes.size() < count) {
             std::size_t best = 0;
             double farthest = -1; // as of nodes
             for (std::size_t i = 0; i < region.size(); ++i) {
                 if (!nodes.empty())
-                    apart[i] = std::min(apart[i], (chart[i] - chart[nodes.back()]).length2());
+                    apart[i] = std::min(apart[i], distance2(chart[i], chart[nodes.back()]));
                 const double worth = apart[i] * (is_lit_[region[i]] ? lit_first : 1);
                 if (worth > farthest) farthest = worth, best = i;
             }
@@ -210,16 +272,6 @@ private:
             apart[best] = -1;
         }
         return nodes;
-    }
-    /// The places of a region on both sides of the middle of its chart's longer side.
-    static std::array<Places, 2> halves(const Places& region, const std::vector<Vec2>& chart) {
-        Box2 around;
-        for (const Vec2& place : chart) around.extend(place);
-        const int axis = around.extent().x < around.extent().y ? 1 : 0;
-        std::array<Places, 2> halves;
-        for (std::size_t i = 0; i < region.size(); ++i)
-            halves[chart[i][axis] > around.center()[axis] ? 1 : 0].push_back(region[i]);
-        return halves;
     }
 
     const Integrator& integrator_;

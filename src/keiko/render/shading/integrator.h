@@ -44,6 +44,11 @@ public:
     /// True if no light has an edge on a smooth surface: all are rows of tubes, nothing casts
     /// shadows, and there is no medium.
     bool light_is_smooth() const;
+    /// True if the paint at a shading point has lobes, whose light depends on the eye as well.
+    bool has_lobes(const ShadingPoint& point) const {
+        const Paint& paint = paints_[point.place.paint];
+        return paint.gloss() || paint.flakes();
+    }
     /// Visibility of some of the lights from a shading point.
     std::vector<LightVisibility> light_visibility(const ShadingPoint& point,
                                                   std::span<const LightId> lights) const;

@@ -21,10 +21,6 @@ std::vector<std::string> chosen(const Deviation& deviation, const std::vector<st
 constexpr double nothing = 1e-9; // mm: roundings
 
 /// "(1, 2, 3)"
-std::string triple(const Vec3& v, int digits) {
-    return "(" + short_number(v.x, digits) + ", " + short_number(v.y, digits) + ", " +
-           short_number(v.z, digits) + ")";
-}
 
 ComparisonCheck surface_check(const char* name, const std::string& what, const Deviation& d,
                               double tolerance) {
@@ -211,6 +207,11 @@ std::string picture_words(const PictureOutcome& picture) {
             text +=
                 "; " + layer.layer + " beyond its tolerance in " + counted(layer.beyond, "pixel");
     return text;
+}
+
+std::string triple(const Vec3& v, int digits) {
+    return "(" + short_number(v.x, digits) + ", " + short_number(v.y, digits) + ", " +
+           short_number(v.z, digits) + ")";
 }
 
 std::string alignment_words(const Alignment& a) {

@@ -96,5 +96,7 @@ std::string at_most(double value, double reach);
 std::string picture_words(const PictureOutcome& picture);
 /// "turned by 0.25 degrees about (0, 0, 1), its centre shifted by (3, -2, 1) mm; ..."
 std::string alignment_words(const Alignment& alignment);
+/// "(1.5, 0, -2)", each number with as many digits.
+std::string triple(const Vec3& v, int digits);
 
 } // namespace keiko

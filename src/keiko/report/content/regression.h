@@ -46,7 +46,7 @@ struct Regression {
     std::string suite_key{};                    ///< of everything on which the suite's outcome
                                                 ///< depends
     std::vector<std::string> stale_baselines{}; ///< folders of baselines without a fixture
-    int shard = 1, shards = 1;                  ///< fixture i is of shard i % shards + 1
+    int shard = 1, shards = 1;                  ///< its own number, and that of all shards
     std::vector<FixtureOutcome> fixtures{};     ///< those of the shard, by name
 
     /// Number of fixtures in a state.

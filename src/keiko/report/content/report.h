@@ -7,6 +7,7 @@
 #include "keiko/placement/best_view.h"
 #include "keiko/report/content/combs_text.h"
 #include "keiko/report/content/line_list.h"
+#include "keiko/scene/analysis.h"
 #include "keiko/triage/triage.h"
 
 #include <algorithm>
@@ -80,6 +81,7 @@ struct Report {
     std::vector<std::string> comb_remarks; ///< on planes that gave no section
     std::vector<CloseUp> close_ups;        ///< of the worst findings, in their order
     std::vector<SeamProfile> profiles;     ///< of the worst stretches that do not pass, in order
+    std::vector<AnalysisNote> notes;       ///< of the analysis, on this body
 };
 
 /// The worst of the verdicts of the inspection and the lines.
@@ -126,7 +128,8 @@ constexpr std::size_t most_profiles = 20;
 /// {rig, covered, unreached}. Pictures: standing_pictures, pictures, line_pictures,
 /// curvature_pictures and close_ups
 /// [{title, file, width, height, markers [{number, x, y}]}]. Close-ups have the number of their
-/// seam or face, or the rank of their crossing, from 1. The report holds no time, so that every run
+/// seam or face, or the rank of their crossing, from 1. Notes: notes [{text, place (mm), face}],
+/// the face null if the note has no place any more. The report holds no time, so that every run
 /// gives the same bytes.
 std::string report_json(const Report& report);
 

@@ -2,7 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/base/output_folder.h"
-#include "keiko/compare/alignment/alignment.h"
+#include "keiko/compare/scan/point_alignment.h"
 #include "keiko/compare/scan/scan_deviation.h"
 
 #include <optional>
@@ -27,17 +27,17 @@ struct ScanView {
 
 /// Comparison of the points of a scan with the exact surface that they were measured on.
 struct ScanComparison {
-    std::string tool_version;             ///< version of Keiko that compared
-    std::string nominal;                  ///< file of the exact surface
-    std::string scan;                     ///< file of the points, or what they were given as
-    ScanLimits limits{};                  ///< by which the scan is judged
-    std::optional<Alignment> alignment{}; ///< motion of the points, if they were aligned
-    double reach = 0;                     ///< mm, beyond which the surface is not sought
-    ScanDeviation deviation{};            ///< of the points from the surface
-    std::vector<std::string> faces{};     ///< names, as ScanDeviation::faces
-    double map_radius = 0;                ///< mm around a place whose points a map averages
-    std::vector<ScanView> views{};        ///< one a view
-    FolderContent pngs{};                 ///< that the views name
+    std::string tool_version;                  ///< version of Keiko that compared
+    std::string nominal;                       ///< file of the exact surface
+    std::string scan;                          ///< file of the points, or what they were given as
+    ScanLimits limits{};                       ///< by which the scan is judged
+    std::optional<PointAlignment> alignment{}; ///< of the points, if they were aligned
+    double reach = 0;                          ///< mm, beyond which the surface is not sought
+    ScanDeviation deviation{};                 ///< of the points from the surface
+    std::vector<std::string> faces{};          ///< names, as ScanDeviation::faces
+    double map_radius = 0;                     ///< mm around a place whose points a map averages
+    std::vector<ScanView> views{};             ///< one a view
+    FolderContent pngs{};                      ///< that the views name
 
     /// Whether the share of points within the tolerance suffices; nullopt without a tolerance.
     std::optional<bool> passes() const;
@@ -47,6 +47,9 @@ struct ScanComparison {
 std::string verdict_of(const ScanComparison& comparison);
 /// "99.2 % of 12000 points within 0.1 mm; 95 % needed", or that there is no tolerance.
 std::string verdict_reason(const ScanComparison& comparison);
+
+/// "99.2 % of the points used", and the directions that the surface leaves free, if there are any.
+std::string fit_words(const PointAlignment& alignment);
 
 /// The comparison for people, in a few lines; the same text for any number of threads.
 std::string scan_text(const ScanComparison& comparison);

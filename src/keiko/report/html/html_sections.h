@@ -49,6 +49,8 @@ std::string html_seam_card(const Report& report, std::size_t rank, const ShownIt
                            const std::string& heading, const std::string& note);
 /// Faults that no standing view shows.
 std::string html_hidden(const Report& report);
+/// The notes of the analysis, each with its place.
+std::string html_notes(const Report& report);
 /// The profiles of failing and undecided stretches that the first screen does not show.
 std::string html_more_profiles(const Report& report);
 /// Findings of seams, faces and lines, by the numbers of report.json.

@@ -159,10 +159,11 @@ std::string html_coverage(const Report& report) {
 std::string report_html(const Report& report) {
     std::string html;
     for (const auto section :
-         {html_verdict, html_scope,    html_first_screen, html_more_faults,   html_pictures,
-          html_hidden,  html_findings, html_accepted,     html_looks,         html_coverage,
-          html_lines,   html_form,     html_combs,        html_more_profiles, html_all_seams,
-          html_scraps,  html_joints,   html_faces,        html_facts,         html_gallery})
+         {html_verdict,   html_scope,  html_first_screen, html_more_faults, html_pictures,
+          html_hidden,    html_notes,  html_findings,     html_accepted,    html_looks,
+          html_coverage,  html_lines,  html_form,         html_combs,       html_more_profiles,
+          html_all_seams, html_scraps, html_joints,       html_faces,       html_facts,
+          html_gallery})
         html += section(report);
     html += footer(report) + "\n";
     return html_page(html_escaped(report.inspection.facts.source), "", html, report_script);

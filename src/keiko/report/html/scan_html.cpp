@@ -110,7 +110,8 @@ std::string worst_places(const ScanComparison& c) {
 
 std::string alignment(const ScanComparison& c) {
     if (!c.alignment) return "<p>The points were not moved.</p>";
-    return "<p>The points were " + html_escaped(alignment_words(*c.alignment)) + ".</p>";
+    return "<p>The points were " + html_escaped(alignment_words(c.alignment->rigid)) +
+           ".</p><p>By " + html_escaped(fit_words(*c.alignment)) + ".</p>";
 }
 
 } // namespace

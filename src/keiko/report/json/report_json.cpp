@@ -218,6 +218,12 @@ const char* word_of(CloseUp::Of of) {
     return of == CloseUp::Of::seam ? "seam" : of == CloseUp::Of::face ? "face" : "crossing";
 }
 
+Json note_json(const AnalysisNote& note) {
+    return {{"text", note.text},
+            {"place", {note.place.x, note.place.y, note.place.z}},
+            {"face", note.face > 0 ? Json(note.face) : Json()}};
+}
+
 Json coverage_json(const CoverageSummary& coverage) {
     return {
         {"rig", coverage.rig}, {"covered", coverage.covered}, {"unreached", coverage.unreached}};
@@ -240,6 +246,8 @@ std::string report_json(const Report& report) {
     json["lines"] = report.lines ? line_verdicts_json(*report.lines) : Json();
     json["triage"] = triage_json(report.triage);
     json["coverage"] = report.coverage ? coverage_json(*report.coverage) : Json();
+    json["notes"] = Json::array();
+    for (const AnalysisNote& note : report.notes) json["notes"].push_back(note_json(note));
     json["standing_pictures"] = pictures_json(report.standing_pictures);
     json["pictures"] = pictures_json(report.pictures);
     json["line_pictures"] = pictures_json(report.line_pictures);

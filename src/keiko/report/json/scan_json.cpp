@@ -56,6 +56,19 @@ Json views_json(const ScanComparison& c) {
     return views;
 }
 
+Json points_json(const std::vector<Vec3>& points) {
+    Json json = Json::array();
+    for (const Vec3& p : points) json.push_back(point(p));
+    return json;
+}
+
+Json point_alignment_json(const PointAlignment& a) {
+    Json json = alignment_json(a.rigid);
+    json["used"] = a.used;
+    json["free"] = {{"shifts", points_json(a.free.shifts)}, {"turns", points_json(a.free.turns)}};
+    return json;
+}
+
 } // namespace
 
 std::string scan_json(const ScanComparison& c) {
@@ -68,7 +81,7 @@ std::string scan_json(const ScanComparison& c) {
                     {"tolerance", optional(c.limits.tolerance)},
                     {"least_share", c.limits.least_share},
                     {"within", optional(d.within)},
-                    {"alignment", c.alignment ? alignment_json(*c.alignment) : Json()},
+                    {"alignment", c.alignment ? point_alignment_json(*c.alignment) : Json()},
                     {"reach", real_json(c.reach)},
                     {"points",
                      {{"all", d.points},

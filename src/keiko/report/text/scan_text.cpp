@@ -35,7 +35,10 @@ std::string scan_text(const ScanComparison& c) {
     const ScanDeviation& d = c.deviation;
     TextLines lines;
     lines.line() << verdict_of(c) << ": " << verdict_reason(c);
-    if (c.alignment) lines.line() << "aligned: " << alignment_words(*c.alignment);
+    if (c.alignment) {
+        lines.line() << "aligned: " << alignment_words(c.alignment->rigid);
+        lines.line() << "aligned by: " << fit_words(*c.alignment);
+    }
     if (d.measured > 0) {
         lines.line() << "deviation: mean " << short_number(d.mean) << " mm, root mean square "
                      << short_number(d.root_mean_square) << " mm, standard deviation "

@@ -52,14 +52,10 @@ private:
 
 Occluders::Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job) {
     const auto begin = std::chrono::steady_clock::now();
-    scene_ = std::make_unique<OccluderScene>(model, tracer, job);
+    scene_ = std::make_shared<const OccluderScene>(model, tracer, job);
     statistics_ = {scene_->silhouettes.pieces.size(), scene_->borders.size(),
                    std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
 }
-
-Occluders::~Occluders() = default;
-Occluders::Occluders(Occluders&&) noexcept = default;
-Occluders& Occluders::operator=(Occluders&&) noexcept = default;
 
 bool Occluders::may_occlude(std::span<const Vec3> places, std::span<const Vec3> region,
                             const std::optional<Vec3>& facing) const {

@@ -17,15 +17,11 @@ struct OccluderScene;
 /// Silhouettes and borders of a model, prepared for visibility queries from many viewpoints. The
 /// ends of visible parts are found on the surfaces by Newton's method, to some 1e-12 of the
 /// segment, not by sampling rays (docs/theory/visibility.md). Immutable after construction; may be
-/// queried from any thread.
+/// queried from any thread. Copies share what was prepared.
 class Occluders {
 public:
     /// `tracer` is of the same model, and not kept. Throws Cancelled.
     Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job = {});
-    ~Occluders();
-    /// Takes over the silhouettes of another.
-    Occluders(Occluders&&) noexcept;
-    Occluders& operator=(Occluders&&) noexcept; ///< Takes over the silhouettes of another.
 
     /// Size and cost of the preparation.
     struct Statistics {
@@ -45,7 +41,7 @@ public:
 private:
     friend class VisibilityQuery;
     friend class EpipolarShadows;
-    std::unique_ptr<OccluderScene> scene_;
+    std::shared_ptr<const OccluderScene> scene_;
     Statistics statistics_;
 };
 

@@ -178,40 +178,6 @@ async function followProgress(tell) {
   }
 }
 
-// source/fresnel.ts
-function dielectric(c, n) {
-  const g2 = n * n - 1 + c * c;
-  if (!(g2 > 0)) return 1;
-  const g = Math.sqrt(g2), a = (g - c) / (g + c), b = (c * (g + c) - 1) / (c * (g - c) + 1);
-  return 0.5 * a * a * (1 + b * b);
-}
-function conductor(c, n, k) {
-  const c2 = c * c, s2 = 1 - c2, m = n * n - k * k - s2, root = Math.sqrt(m * m + 4 * n * n * k * k);
-  const a = Math.sqrt(Math.max(0.5 * (root + m), 0)), across = root + c2, along = 2 * a * c;
-  const s = (across - along) / (across + along), level = c2 * root + s2 * s2, side = along * s2;
-  return 0.5 * s * (1 + (level - side) / (level + side));
-}
-var Mirrors = class {
-  // by `face` of a sample plus 1: the ground, nothing, the faces
-  constructor(facts2) {
-    this.materials = facts2.materials;
-    this.ofFace = Uint16Array.from([facts2.ground?.material ?? 0, 0, ...facts2.faces.map((face) => face.material)]);
-  }
-  /** Number of a face's material. */
-  material(face) {
-    return this.ofFace[face + 1];
-  }
-  /** Multiplies a weight, red, green and blue, by what a face reflects at a cosine. */
-  weigh(weight, face, cosine) {
-    const m = this.materials[this.material(face)], c = Math.abs(cosine);
-    if (!m.mirror) weight.fill(0);
-    else if (!m.metal) {
-      const share2 = dielectric(c, m.n[0]);
-      for (let k = 0; k < 3; ++k) weight[k] *= share2;
-    } else for (let k = 0; k < 3; ++k) weight[k] *= conductor(c, m.n[k], m.k[k]);
-  }
-};
-
 // source/vector.ts
 var sum = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 var difference = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
@@ -282,6 +248,40 @@ function lookingAt(camera, place, distance) {
 function sized(camera, width, height) {
   return { ...camera, width, height };
 }
+
+// source/fresnel.ts
+function dielectric(c, n) {
+  const g2 = n * n - 1 + c * c;
+  if (!(g2 > 0)) return 1;
+  const g = Math.sqrt(g2), a = (g - c) / (g + c), b = (c * (g + c) - 1) / (c * (g - c) + 1);
+  return 0.5 * a * a * (1 + b * b);
+}
+function conductor(c, n, k) {
+  const c2 = c * c, s2 = 1 - c2, m = n * n - k * k - s2, root = Math.sqrt(m * m + 4 * n * n * k * k);
+  const a = Math.sqrt(Math.max(0.5 * (root + m), 0)), across = root + c2, along = 2 * a * c;
+  const s = (across - along) / (across + along), level = c2 * root + s2 * s2, side = along * s2;
+  return 0.5 * s * (1 + (level - side) / (level + side));
+}
+var Mirrors = class {
+  // by `face` of a sample plus 1: the ground, nothing, the faces
+  constructor(facts2) {
+    this.materials = facts2.materials;
+    this.ofFace = Uint16Array.from([facts2.ground?.material ?? 0, 0, ...facts2.faces.map((face) => face.material)]);
+  }
+  /** Number of a face's material. */
+  material(face) {
+    return this.ofFace[face + 1];
+  }
+  /** Multiplies a weight, red, green and blue, by what a face reflects at a cosine. */
+  weigh(weight, face, cosine) {
+    const m = this.materials[this.material(face)], c = Math.abs(cosine);
+    if (!m.mirror) weight.fill(0);
+    else if (!m.metal) {
+      const share2 = dielectric(c, m.n[0]);
+      for (let k = 0; k < 3; ++k) weight[k] *= share2;
+    } else for (let k = 0; k < 3; ++k) weight[k] *= conductor(c, m.n[k], m.k[k]);
+  }
+};
 
 // source/ray.ts
 var rayNumbers = 18;
@@ -709,6 +709,10 @@ var RayList = class {
     this.ways = new Float32Array(1);
     this.weights = new Float32Array(3);
   }
+  /** Takes over the memory of a list that is not used any more. */
+  takeOver(spent) {
+    ({ numbers: this.numbers, ways: this.ways, weights: this.weights } = spent);
+  }
   /** Makes room for so many rays. */
   reserve(count) {
     this.numbers = grown(this.numbers, count * rayNumbers);
@@ -739,6 +743,10 @@ function share(wide2, narrow2, begin, end) {
   const w = Math.max(wide2, leastWidth), n = Math.max(narrow2, leastWidth);
   return Math.max(below(w, n, end) - below(w, n, begin), 0);
 }
+function offAxis({ first, pitch, lamps }, v) {
+  const away = v - first;
+  return away - pitch * Math.min(Math.max(Math.round(away / pitch), 0), lamps - 1);
+}
 function stripeCoverage(row2, width, v, wide2, narrow2) {
   const { pitch, lamps, first, last } = row2;
   if (lamps === 0) return 0;
@@ -749,7 +757,7 @@ function stripeCoverage(row2, width, v, wide2, narrow2) {
   const half = 0.5 * width;
   if (!(width < pitch)) return share(wide2, narrow2, first - half - v, last + half - v);
   const spread = 0.5 * (wide2 + narrow2), reach2 = spread + half, away = v - first;
-  const off = Math.abs(away - pitch * Math.min(Math.max(Math.round(away / pitch), 0), lamps - 1));
+  const off = Math.abs(offAxis(row2, v));
   if (off >= reach2) return 0;
   if (off + spread <= half) return 1;
   const end = Math.min(Math.floor((away + reach2) / pitch), lamps - 1);
@@ -800,6 +808,17 @@ function coverage(row2, image, from, du, dv) {
   if (u - reach2 >= 0 && u + reach2 <= row2.length || !(reach2 > 0 && reach2 < Infinity)) return strips;
   return strips * Math.max(Math.min(u + reach2, row2.length) - Math.max(u - reach2, 0), 0) / (2 * reach2);
 }
+function steadiness(row2, image, from, du, dv) {
+  const u = image[from + 1] - du, half = 0.5 * row2.diameter * image[from + 3];
+  const reach2 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  const beyond = Math.max(-room - u - reach2, u - reach2 - row2.length - room);
+  if (beyond >= 0) return beyond;
+  const wide2 = image[from + 5], { pitch, lamps } = row2;
+  if (wide2 > 4 * pitch || 2 * half >= pitch || lamps === 0) return 0;
+  const spread = 0.5 * (wide2 + image[from + 6]), off = Math.abs(offAxis(row2, image[from + 2] - dv));
+  if (off - half >= spread) return off - half - spread;
+  return Math.max(Math.min(half - off - spread, u - reach2, row2.length - u - reach2), 0);
+}
 function isAtEnd(row2, image, from, du, dv) {
   const u = image[from + 1] - du, v = image[from + 2] - dv;
   const reach2 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
@@ -812,8 +831,7 @@ function widened(image, from, length2) {
 }
 function isInGap(row2, image, from, v, width) {
   const least = image[from + 8], reach2 = 0.5 * (image[from + 5] + image[from + 6]);
-  const lamp = Math.min(Math.max(Math.round((v - row2.first) / row2.pitch), 0), row2.lamps - 1);
-  const isAway = least > 0 && least * Math.abs(v - row2.first - lamp * row2.pitch) > 0.5 * width + reach2;
+  const isAway = least > 0 && least * Math.abs(offAxis(row2, v)) > 0.5 * width + reach2;
   return isAway && (v < row2.first || v > row2.last || reach2 < 0.5 * least * row2.pitch);
 }
 function mayHoldEnd(row2, image, from, du) {
@@ -825,7 +843,7 @@ function mayHoldEdge(row2, image, from, [du, dv], off) {
   const u = image[from + 1] - du, along = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row2.diameter) + off;
   if (u + along <= 0 || u - along >= row2.length) return false;
   const away = image[from + 2] - dv - row2.first, half = 0.5 * row2.diameter * image[from + 3];
-  const lamp = Math.min(Math.max(Math.round(away / row2.pitch), 0), row2.lamps - 1), axis = Math.abs(away - lamp * row2.pitch);
+  const axis = Math.abs(offAxis(row2, image[from + 2] - dv));
   const spread = widened(image, from, 0.5 * (image[from + 5] + image[from + 6])) + off;
   const isBeside = axis - spread >= half && (away < 0 || away > row2.last - row2.first || axis + spread <= row2.pitch - half);
   if (isBeside) return false;
@@ -847,14 +865,25 @@ var RowCoverage = class {
     this.metCount = 0;
     this.projected = 0;
     this.isCurrent = false;
+    this.travel = 0;
+    // mm that the row has moved in its plane
+    this.until = new Float64Array(1);
     // on whose plane the images are
     this.du = 0;
     this.dv = 0;
     this.base = row2;
   }
+  /** Takes other rays, of which nothing is known. */
+  restart(rays) {
+    this.rays = rays, this.base = this.row;
+    this.projected = this.metCount = this.du = this.dv = 0;
+    this.covered.fill(0);
+  }
   /** Takes the row as it is now. One that moved in its plane, or has other lamps, needs no new images. */
   set(row2) {
     if (!row2.hasPlaneOf(this.base) || row2.isRound !== this.base.isRound) this.base = row2, this.projected = this.metCount = 0;
+    if (row2.hasLampsOf(this.row)) this.travel += length(difference(row2.origin, this.row.origin));
+    else this.until.fill(0);
     this.row = row2;
     this.isCurrent = false;
     const step2 = difference(row2.origin, this.base.origin);
@@ -870,15 +899,17 @@ var RowCoverage = class {
     this.images = grown(this.images, imageNumbers * this.rays.count);
     this.covered = grown(this.covered, this.rays.count);
     this.met = grown(this.met, this.rays.count);
+    this.until = grown(this.until, this.rays.count);
     const pathOf = this.pathOf?.() ?? null;
     this.projectAll(changed, pathOf);
     this.coverAll(changed, pathOf);
     this.isCurrent = true;
   }
   projectAll(changed, pathOf) {
-    const { rays: { numbers: numbers2, ways: ways2, count }, row: row2, images, covered, met } = this;
+    const { rays: { numbers: numbers2, ways: ways2, count }, row: row2, images, covered, met, until } = this;
     for (let i = this.projected; i < count; ++i) {
       project(row2, numbers2, rayNumbers * i, images, imageNumbers * i);
+      until[i] = 0;
       const t = images[imageNumbers * i];
       if (t > 0 && t <= ways2[i]) met[this.metCount++] = i;
       else if (covered[i] > 0) covered[i] = 0, changed.add(pathOf ? pathOf[i] : i);
@@ -886,19 +917,23 @@ var RowCoverage = class {
     this.projected = count;
   }
   coverAll(changed, pathOf) {
-    const { row: row2, images, covered, met, metCount, du, dv } = this;
+    const { row: row2, images, covered, met, metCount, du, dv, until, travel } = this;
     for (let k = 0; k < metCount; ++k) {
-      const i = met[k], c = Math.fround(coverage(row2, images, imageNumbers * i, du, dv));
+      const i = met[k];
+      if (travel < until[i]) continue;
+      until[i] = travel + steadiness(row2, images, imageNumbers * i, du, dv);
+      const c = Math.fround(coverage(row2, images, imageNumbers * i, du, dv));
       if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
     }
   }
   /** Makes `covered` exact at the ends of lamps. */
   finish(changed) {
-    const { rays: { numbers: numbers2 }, row: row2, images, covered, met, metCount, du, dv } = this, pathOf = this.pathOf?.() ?? null;
+    const { rays: { numbers: numbers2 }, row: row2, images, covered, met, metCount, du, dv, until } = this, pathOf = this.pathOf?.() ?? null;
     for (let k = 0; k < metCount; ++k) {
       const i = met[k];
       if (!isAtEnd(row2, images, imageNumbers * i, du, dv)) continue;
       const c = Math.fround(endCoverage(row2, numbers2, rayNumbers * i));
+      until[i] = 0;
       if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
     }
   }
@@ -920,13 +955,21 @@ var RowFrame = class {
     this.hasLuminousCaps = plane.caps === "luminous";
     this.luminance = plane.luminance;
   }
+  /** The way of a ray to the row's plane, mm; negative or not a number if it does not come there. */
+  distanceToPlane(origin, direction2) {
+    return dot(this.normal, difference(this.origin, origin)) / dot(this.normal, direction2);
+  }
   /** The way of a ray to the rectangle between the plane's corners, mm; Infinity if it misses it. */
   distanceTo(origin, direction2) {
-    const away = dot(this.normal, difference(this.origin, origin)) / dot(this.normal, direction2);
+    const away = this.distanceToPlane(origin, direction2);
     if (!(away > 0)) return Infinity;
     const at = difference(sum(origin, scaled(direction2, away)), this.origin), along = dot(at, this.u), across = dot(at, this.v);
     const room = this.diameter / 2;
     return along >= 0 && along <= this.length && across >= this.first - room && across <= this.last + room ? away : Infinity;
+  }
+  /** True if the other row has as many lamps, as thick and as far apart, of the same length. */
+  hasLampsOf(other) {
+    return this.lamps === other.lamps && this.pitch === other.pitch && this.diameter === other.diameter && this.length === other.length && this.first === other.first && this.isRound === other.isRound;
   }
   /** True if images of rays on the other's plane are those on this one but for an offset. */
   hasPlaneOf(other) {
@@ -972,8 +1015,9 @@ var LampLight = class {
     this.buffer = buffer;
     this.refined = 0, this.hasEnds = false;
     this.rows = planes.slice(0, this.order.length).map((plane, i) => {
-      const frame = new RowFrame(plane), known = isNew ? void 0 : this.rows[i];
+      const frame = new RowFrame(plane), known = this.rows[i];
       if (!known) return this.litRow(frame);
+      if (isNew) known.first.restart(buffer.first), known.later.restart(buffer.later), known.bends = new Float32Array(0);
       if (plane === this.planes[i]) return known;
       if (!frame.hasPlaneOf(known.frame)) known.bends.fill(-1);
       known.first.set(frame), known.later.set(frame);
@@ -989,7 +1033,7 @@ var LampLight = class {
     return {
       frame,
       first: new RowCoverage(buffer.first, null, frame),
-      later: new RowCoverage(buffer.later, () => buffer.pathOfLater, frame),
+      later: new RowCoverage(buffer.later, () => this.buffer.pathOfLater, frame),
       bends: new Float32Array(0),
       level: 0
     };
@@ -1349,7 +1393,8 @@ var numbersOfSample = 8;
 var wordsOfBounce = 9;
 var SurfaceBuffer = class {
   // by pixel: 1 right, 2 down
-  constructor(camera, mirrors) {
+  /** `spent`: a buffer whose memory it may take over, since nobody uses that one any more. */
+  constructor(camera, mirrors, spent = null) {
     this.camera = camera;
     this.mirrors = mirrors;
     // by pixel; -1: no surface
@@ -1368,11 +1413,17 @@ var SurfaceBuffer = class {
     this.weight = new Float64Array(3);
     this.surface = new Surface();
     this.joins = null;
-    const { width, height } = camera;
-    this.samples = new Float32Array(numbersOfSample * width * height);
-    this.pathOf = new Int32Array(width * height).fill(-1);
+    const size2 = camera.width * camera.height, isSame = spent?.pathOf.length === size2;
+    this.samples = isSame ? spent.samples : new Float32Array(numbersOfSample * size2);
+    this.pathOf = (isSame ? spent.pathOf : new Int32Array(size2)).fill(-1);
+    if (spent) this.takeOver(spent);
     this.rays = new CameraRays(camera);
-    this.rowStep = height;
+    this.rowStep = camera.height;
+  }
+  takeOver(spent) {
+    this.first.takeOver(spent.first), this.later.takeOver(spent.later);
+    this.pixels = spent.pixels, this.normals = spent.normals, this.pathOfLater = spent.pathOfLater;
+    this.laterCounts = spent.laterCounts, this.laterFirst = spent.laterFirst;
   }
   get paths() {
     return this.first.count;
@@ -1491,13 +1542,9 @@ var Picture = class {
     this.mirrors = new Mirrors(facts2);
     this.lamps = new LampLight(facts2);
   }
-  /** The surfaces in hand. */
-  get surfaces() {
-    return this.buffer;
-  }
-  /** An empty buffer for a camera's picture. */
-  bufferFor(camera) {
-    return new SurfaceBuffer(camera, this.mirrors);
+  /** An empty buffer for a camera's picture, in the memory of one that is not used any more. */
+  bufferFor(camera, spent = null) {
+    return new SurfaceBuffer(camera, this.mirrors, spent);
   }
   /** Takes the buffer that is shown from now on. */
   show(buffer) {
@@ -1548,19 +1595,36 @@ var Picture = class {
   }
   /** The nearest row of lamps whose plane the first reflection at a pixel meets; -1 without one. */
   rowAt(x, y, planes) {
-    const path = this.pathAt(x, y), ray = this.buffer?.first.numbers, at = rayNumbers * path;
-    if (!ray || path < 0) return -1;
-    const origin = [ray[at], ray[at + 1], ray[at + 2]], direction2 = [ray[at + 3], ray[at + 4], ray[at + 5]];
-    const distances = planes.map((plane) => new RowFrame(plane).distanceTo(origin, direction2));
+    const ray = this.reflectionAt(x, y);
+    if (!ray) return -1;
+    const distances = planes.map((plane) => new RowFrame(plane).distanceTo(ray.origin, ray.direction));
     const nearest = Math.min(...distances);
     return nearest < Infinity ? distances.indexOf(nearest) : -1;
+  }
+  /** Where the first reflection at a pixel meets the plane of a row, even beyond its lamps; null if it does not. */
+  mirroredOn(x, y, plane) {
+    const ray = this.reflectionAt(x, y), away = ray ? new RowFrame(plane).distanceToPlane(ray.origin, ray.direction) : -1;
+    return ray && away > 0 ? sum(ray.origin, scaled(ray.direction, away)) : null;
+  }
+  /** The first reflected ray at a pixel. */
+  reflectionAt(x, y) {
+    const path = this.pathAt(x, y), ray = this.buffer?.first.numbers, at = rayNumbers * path;
+    if (!ray || path < 0) return null;
+    return { origin: [ray[at], ray[at + 1], ray[at + 2]], direction: [ray[at + 3], ray[at + 4], ray[at + 5]] };
   }
   /** The surface at a pixel, if there is one. */
   pick(x, y) {
     const { buffer } = this, path = this.pathAt(x, y);
     if (!buffer || path < 0) return null;
     const { t, normal, face, principal: [k1, k2] } = buffer.surfaceOf(path);
-    return { t, normal: [...normal], radii: [1 / k1, 1 / k2], face };
+    const { origin, direction: direction2 } = rayOf(buffer.camera, x + 0.5, y + 0.5);
+    return {
+      place: sum(origin, scaled(direction2, t)),
+      rounding: t * 2 ** -24,
+      normal: [...normal],
+      radii: [1 / k1, 1 / k2],
+      face
+    };
   }
   size({ width, height }) {
     if (this.canvas.width !== width || this.canvas.height !== height) this.canvas.width = width, this.canvas.height = height;
@@ -1732,7 +1796,7 @@ var Notes = class {
   show(notes) {
     this.notes = notes;
     this.marks.show(notes.length > 0);
-    this.into.replaceChildren(notes.length > 0 ? element("ol", notes.map((note) => this.entry(note))) : element("p", "Click on the body and write one under Place.", { className: "soft" }));
+    this.into.replaceChildren(notes.length > 0 ? element("ol", notes.map((note) => this.entry(note))) : element("p", "Click on the body and write one beside it.", { className: "soft" }));
   }
   add(note) {
     this.show([...this.notes, note]);
@@ -1844,462 +1908,6 @@ var AnalysisPanel = class {
   }
 };
 
-// source/deep_buffer.ts
-var header = 32;
-var sampleBytes = 32;
-var bounceBytes = 36;
-var magic = "KEIKOD1\n";
-function sizeOf(view) {
-  return header + view.getUint32(24, true) * sampleBytes + view.getUint32(28, true) * bounceBytes;
-}
-function passOf(bytes2) {
-  const view = new DataView(bytes2.buffer, bytes2.byteOffset, bytes2.byteLength);
-  const samples = view.getUint32(24, true);
-  const end = header + samples * sampleBytes;
-  return {
-    width: view.getUint32(8, true),
-    height: view.getUint32(12, true),
-    first: view.getUint32(16, true),
-    step: view.getUint32(20, true),
-    samples: new Float32Array(bytes2.buffer, bytes2.byteOffset + header, samples * 8),
-    bounces: new DataView(bytes2.buffer, bytes2.byteOffset + end, bytes2.byteLength - end)
-  };
-}
-var Reader = class {
-  constructor(stream) {
-    this.rest = new Uint8Array(0);
-    this.reader = stream.getReader();
-  }
-  /** Writes into all of `to`; false at the end of the stream. */
-  async fill(to) {
-    let done = 0;
-    while (done < to.length) {
-      if (this.rest.length === 0) {
-        const { value } = await this.reader.read();
-        if (!value) {
-          if (done > 0) throw new Error("the deep buffer was cut off");
-          return false;
-        }
-        this.rest = value;
-      }
-      const count = Math.min(this.rest.length, to.length - done);
-      to.set(this.rest.subarray(0, count), done);
-      this.rest = this.rest.subarray(count);
-      done += count;
-    }
-    return true;
-  }
-};
-async function readPasses(reply, use) {
-  const reader = new Reader(reply.body);
-  for (; ; ) {
-    const head = new Uint8Array(header);
-    if (!await reader.fill(head)) return;
-    if (new TextDecoder().decode(head.subarray(0, 8)) !== magic) throw new Error("this is no deep buffer");
-    const bytes2 = new Uint8Array(sizeOf(new DataView(head.buffer)));
-    bytes2.set(head);
-    await reader.fill(bytes2.subarray(header));
-    use(passOf(bytes2));
-  }
-}
-
-// source/reprojection.ts
-var numbersOfSample2 = 8;
-var sameSurface = 1e-3;
-function reprojected(from, camera) {
-  const { width, height } = camera, samples = new Float32Array(numbersOfSample2 * width * height);
-  for (let at = 0; at < samples.length; at += numbersOfSample2) samples[at] = Infinity;
-  const projection = new SurfaceProjection(camera), side = squareOf(from, camera);
-  const { first: { numbers: numbers2 } } = from;
-  for (let path = 0; path < from.paths; ++path) {
-    projection.set(numbers2, 18 * path);
-    const { x, y, depth } = projection;
-    if (!(depth > 0)) continue;
-    const left2 = Math.floor(x - 0.5 * (side - 1)), top2 = Math.floor(y - 0.5 * (side - 1));
-    for (let row2 = Math.max(top2, 0); row2 < Math.min(top2 + side, height); ++row2)
-      for (let column = Math.max(left2, 0); column < Math.min(left2 + side, width); ++column)
-        put(samples, numbersOfSample2 * (row2 * width + column), projection, from, path, column, row2);
-  }
-  return { width, height, first: 0, step: 1, samples, bounces: new DataView(new ArrayBuffer(0)) };
-}
-function squareOf(from, camera) {
-  const far = (c) => c.projection === "orthographic" ? 1 : length(difference(c.eye, c.target));
-  const scale = pixelSize(from.camera) * far(from.camera) / (pixelSize(camera) * far(camera)) * Math.min(from.rowStep, 2);
-  return scale < 0.75 ? 1 : Math.min(8, Math.ceil(1.3 * scale));
-}
-function put(samples, at, projection, from, path, x, y) {
-  const { normals, samples: own, pixels } = from, n = 3 * path, source = numbersOfSample2 * pixels[path];
-  const t = projection.along(x + 0.5, y + 0.5, normals[n], normals[n + 1], normals[n + 2]);
-  if (!(t > 0 && t < (1 - sameSurface) * samples[at])) return;
-  for (let k = 1; k < numbersOfSample2; ++k) samples[at + k] = own[source + k];
-  samples[at] = t;
-  projection.turnNormal(from, path, x + 0.5, y + 0.5, t, samples, at);
-}
-var SurfaceProjection = class extends Projection {
-  constructor() {
-    super(...arguments);
-    this.place = [0, 0, 0];
-    this.origin = [0, 0, 0];
-    this.ray = [0, 0, 0];
-  }
-  set(numbers2, at = 0) {
-    for (let k = 0; k < 3; ++k) this.place[k] = numbers2[at + k];
-    return super.set(numbers2, at);
-  }
-  /** t at which the ray through a point of the picture meets the plane through the place with a normal. */
-  along(x, y, nx, ny, nz) {
-    this.setRay(x, y);
-    const { origin: o, ray: d, place: p } = this, towards = nx * d[0] + ny * d[1] + nz * d[2];
-    return towards < -0.02 ? (nx * (p[0] - o[0]) + ny * (p[1] - o[1]) + nz * (p[2] - o[2])) / towards : -1;
-  }
-  setRay(x, y) {
-    const { camera: { eye, width, height }, axes: { right: right2, up, forward }, origin, ray, size: size2, isParallel } = this;
-    const across = (x - 0.5 * width) * size2, rise = (0.5 * height - y) * size2;
-    let square = 0;
-    for (let k = 0; k < 3; ++k) {
-      const aside = right2[k] * across + up[k] * rise;
-      origin[k] = eye[k] + (isParallel ? aside : 0);
-      ray[k] = forward[k] + (isParallel ? 0 : aside);
-      square += ray[k] * ray[k];
-    }
-    for (let k = 0, perLength = 1 / Math.sqrt(square); k < 3; ++k) ray[k] *= perLength;
-  }
-  /** Turns the normal of a sample by the surface's curvature over the way from the place to the ray's end. */
-  turnNormal(from, path, x, y, t, samples, at) {
-    this.setRay(x, y);
-    const surface = from.surfaceOf(path), { origin: o, ray: d, place: p } = this;
-    if (surface.isPoint) return;
-    for (let k = 0; k < 3; ++k) step[k] = o[k] + t * d[k] - p[k];
-    surface.turn(step, 0, change);
-    const n = unit([surface.normal[0] + change[0], surface.normal[1] + change[1], surface.normal[2] + change[2]]);
-    const sum2 = Math.abs(n[0]) + Math.abs(n[1]) + Math.abs(n[2]), q = n[0] / sum2, r = n[1] / sum2;
-    const isLower = n[2] < 0, wasLower = surface.normal[2] < 0;
-    if (isLower !== wasLower) return;
-    samples[at + 1] = isLower ? (1 - Math.abs(r)) * Math.sign(q || 1) : q;
-    samples[at + 2] = isLower ? (1 - Math.abs(q)) * Math.sign(r || 1) : r;
-  }
-};
-var step = new Float64Array(3);
-var change = new Float64Array(3);
-
-// source/tracing.ts
-var Tracing = class {
-  /** `reflections`: most of them that are followed; `show` gets surfaces, which may become more. */
-  constructor(reflections, bufferFor, show, traced = {}) {
-    this.reflections = reflections;
-    this.bufferFor = bufferFor;
-    this.show = show;
-    this.traced = traced;
-    /** The last surfaces that came from the server. */
-    this.source = null;
-    this.own = new AbortController();
-    this.isDrafting = false;
-    this.wanted = null;
-  }
-  /** Fetches all surfaces, coarse rows first; false if a later call ended this one. */
-  async rest(camera) {
-    this.own.abort();
-    this.wanted = null;
-    const own = this.own = new AbortController(), buffer = this.bufferFor(camera), isFirst = !this.source, fineEnough = 2;
-    await this.fetch(buffer, true, own.signal, () => {
-      if (!isFirst && buffer.rowStep > fineEnough) return;
-      this.source = buffer;
-      this.show(buffer);
-    });
-    return !own.signal.aborted;
-  }
-  /** Shows the surfaces in hand from an eye that moves, and fetches a draft of what it sees. */
-  async move(camera) {
-    const draft = sized(camera, camera.width >> 1, camera.height >> 1);
-    if (!this.isDrafting) this.own.abort();
-    this.wanted = draft;
-    this.preview();
-    if (this.isDrafting) return;
-    this.isDrafting = true;
-    try {
-      while (this.wanted) await this.draft(this.wanted);
-    } finally {
-      this.isDrafting = false;
-    }
-  }
-  async draft(camera) {
-    const own = this.own = new AbortController(), buffer = this.bufferFor(camera);
-    await this.fetch(buffer, false, own.signal, () => {
-      this.source = buffer;
-    });
-    if (own.signal.aborted) return;
-    if (this.wanted === camera) this.wanted = null, this.show(buffer);
-    else this.preview();
-  }
-  preview() {
-    if (!this.source || !this.wanted) return;
-    const buffer = this.bufferFor(this.wanted);
-    buffer.add(reprojected(this.source, this.wanted));
-    this.show(buffer);
-  }
-  async fetch(buffer, isInterlaced, signal, use) {
-    const more = `interlaced = ${isInterlaced}
-reflections = ${Math.min(8, Math.max(1, this.reflections))}
-${hiddenText(this.traced.hidden?.() ?? [])}`;
-    try {
-      const reply = await ask("POST", this.traced.path ?? "/deep", requestText(buffer.camera, void 0, more), signal);
-      await readPasses(reply, (pass) => {
-        if (signal.aborted) return;
-        buffer.add(pass);
-        use();
-      });
-    } catch (error) {
-      if (!signal.aborted) throw error;
-    }
-  }
-};
-
-// source/compare.ts
-var ways = ["new", "both", "difference"];
-var slice = 12;
-var Earlier = class {
-  constructor(host, over) {
-    this.host = host;
-    this.over = over;
-    this.canvas = element("canvas", "", { id: "earlier", hidden: true });
-    this.picture = null;
-    this.traced = null;
-    this.drawn = "";
-    this.way = "new";
-    this.tracing = null;
-    byId("still").after(this.canvas);
-  }
-  async show(way) {
-    const wasShown = this.way !== "new";
-    this.way = way;
-    this.canvas.hidden = way === "new";
-    this.canvas.style.mixBlendMode = way === "difference" ? "difference" : "normal";
-    this.over.parentElement.classList.toggle("comparing", way !== "new");
-    if (wasShown || way === "new") return;
-    const facts2 = await (await ask("GET", "/against/scene")).json();
-    const picture = this.picture ??= new Picture(this.canvas, facts2);
-    this.tracing ??= new Tracing(facts2.reflections, (camera) => picture.bufferFor(camera), (buffer) => {
-      picture.show(buffer);
-      this.draw(this.host.display());
-    }, { path: "/against/deep" });
-    this.follow();
-  }
-  /** Share of the picture, from the left, that shows the new revision. */
-  split(share2) {
-    this.canvas.style.clipPath = `inset(0 0 0 ${(100 * share2).toFixed(2)}%)`;
-  }
-  /** Follows eye, look and lamps as long as it is shown. */
-  follow() {
-    if (this.way === "new") return;
-    const camera = this.host.camera(), { width, height } = this.over.style;
-    Object.assign(this.canvas.style, { width, height });
-    if (camera !== this.traced) void this.trace(camera);
-    const display = this.host.display(), now = JSON.stringify(display);
-    if (now !== this.drawn) this.draw(display);
-    this.drawn = now;
-    requestAnimationFrame(() => this.follow());
-  }
-  draw(display) {
-    this.picture.draw(display);
-  }
-  async trace(camera) {
-    this.traced = camera;
-    try {
-      if (!await this.tracing.rest(camera)) return;
-      while (camera === this.traced && !this.picture.refine(this.host.display(), slice))
-        await new Promise((resolve) => setTimeout(resolve));
-      this.canvas.dataset.traced = "whole";
-    } catch (error) {
-      this.host.fail(error);
-    }
-  }
-};
-function comparePanel(into, host, over) {
-  const section = into.parentElement;
-  section.hidden = !host.facts.against;
-  if (section.hidden) return;
-  const earlier = new Earlier(host, over), buttons = element("p");
-  const slider = element("input", "", { type: "range", min: "0", max: "1", step: "any", value: "0.5", ariaLabel: "border between the revisions" });
-  const show = (way) => {
-    slider.disabled = way !== "both";
-    earlier.split(way === "both" ? Number(slider.value) : 0);
-    earlier.show(way).catch((error) => host.fail(error));
-  };
-  slider.oninput = () => earlier.split(Number(slider.value));
-  choice(buttons, ways, "new", (name) => show(name));
-  slider.disabled = true;
-  into.replaceChildren(buttons, slider);
-}
-
-// source/exact_picture.ts
-var rest = 300;
-async function bytesOf({ camera, planes, hidden }, signal) {
-  return (await ask("POST", "/still", requestText(camera, planes, hiddenText(hidden)), signal)).blob();
-}
-var ExactPicture = class {
-  /** `tell` gets a line for the user, `fail` an error. */
-  constructor(canvas, tell, fail) {
-    this.canvas = canvas;
-    this.tell = tell;
-    this.fail = fail;
-    this.running = new AbortController();
-    this.timer = 0;
-  }
-  /** Something has changed: takes the picture off, and ends work on it. */
-  outdate() {
-    if (!this.canvas.hidden) this.tell("");
-    this.canvas.hidden = true;
-    this.running.abort();
-    clearTimeout(this.timer);
-  }
-  /** Requests the picture after a while, unless something changes until then. */
-  follow(pictured) {
-    clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.fetch(pictured), rest);
-  }
-  /** The bytes of the picture, PNG, for a file. They come even if the view goes on; the server has one such picture
-   * at work for a page, so the one for the view ends, and this one serves it too. */
-  async file(pictured) {
-    clearTimeout(this.timer);
-    this.running.abort();
-    const own = this.running = new AbortController();
-    const bytes2 = await bytesOf(pictured);
-    if (!own.signal.aborted) await this.show(bytes2, own.signal);
-    return bytes2;
-  }
-  async fetch(pictured) {
-    const own = this.running = new AbortController();
-    try {
-      await this.show(await bytesOf(pictured, own.signal), own.signal);
-    } catch (error) {
-      if (!own.signal.aborted) this.fail(error);
-    }
-  }
-  async show(bytes2, signal) {
-    const image = await createImageBitmap(bytes2), { canvas } = this;
-    if (signal.aborted) return;
-    Object.assign(canvas, { width: image.width, height: image.height, hidden: false });
-    canvas.getContext("2d").drawImage(image, 0, 0);
-    this.tell("exact picture");
-  }
-};
-
-// source/profile_plot.ts
-function plotted(profile, mending) {
-  if (mending === "position") return ["gap", profile.gap, (s) => s.gap];
-  const { curvature } = profile;
-  if (mending === "curvature" && curvature)
-    return ["curvature mismatch", curvature, (s) => curvature.formula === "catia" ? s.catia : s.alias];
-  return ["angle", profile.angle, (s) => s.angle];
-}
-var wide = 320;
-var high = 90;
-var top = 14;
-function svg(tag, attributes, text2 = "") {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
-  made.textContent = text2;
-  return made;
-}
-function lines(profile, value, scale) {
-  const found = [];
-  let piece = -1;
-  for (const sample of profile.samples) {
-    const v = value(sample);
-    if (v === null || v === void 0) piece = -1;
-    else {
-      if (sample.piece !== piece) found.push([]);
-      piece = sample.piece;
-      found[found.length - 1].push(`${(sample.along / profile.length * wide).toFixed(1)},${scale(v).toFixed(1)}`);
-    }
-  }
-  return found.map((points) => points.join(" "));
-}
-function profilePlot(profile, mending) {
-  const [name, quantity, value] = plotted(profile, mending);
-  const unit2 = quantity?.unit === "1" ? "" : ` ${quantity?.unit ?? ""}`, limit = quantity?.limit ?? null;
-  const largest = Math.max(quantity?.largest ?? 0, limit ?? 0, 1e-12) * 1.05;
-  const scale = (v) => top + (high - top) * (1 - v / largest);
-  const title = `${name} up to ${quantity?.largest.toPrecision(3) ?? "?"}${unit2} on ${profile.length.toFixed(1)} mm` + (limit === null ? "" : `, limit ${limit}${unit2}`);
-  const plot = svg("svg", { viewBox: `0 0 ${wide} ${high + 1}`, class: "plot", role: "img", "aria-label": title });
-  plot.append(svg("text", { x: 0, y: 10 }, title));
-  if (limit !== null) plot.append(svg("line", { class: "limit", x1: 0, x2: wide, y1: scale(limit), y2: scale(limit) }));
-  for (const points of lines(profile, value, scale)) plot.append(svg("polyline", { points }));
-  return plot;
-}
-
-// source/faults.ts
-function stretchOf({ samples }) {
-  const pieces = /* @__PURE__ */ new Map();
-  for (const { piece, place } of samples) pieces.set(piece, [...pieces.get(piece) ?? [], place]);
-  return [...pieces.values()];
-}
-var shown = 0.16;
-function closeUp(host, fault) {
-  const { upper, lower } = host.facts.bounds, height = shown * length(difference(upper, lower));
-  const view = host.facts.views.find(({ name }) => name === fault.view);
-  if (!view) return lookingAt(host.camera(), fault.place, 3 * height);
-  const away = length(difference(fault.place, view.camera.eye));
-  return {
-    ...view.camera,
-    target: fault.place,
-    orthographic_height: height,
-    vertical_fov: 2 * Math.atan(height / (2 * away)) * 180 / Math.PI
-  };
-}
-function sightOf(fault) {
-  const seen = fault.width >= 0.05 ? ` · breaks a reflection by ${fault.width.toFixed(1)}′` : "";
-  const long = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
-  return fault.mending + seen + long + (fault.mirrored ? " · on both sides" : "");
-}
-function entry(host, fault) {
-  const into = element("div");
-  const go = () => {
-    host.lookFrom(closeUp(host, fault));
-    host.mark(fault.place, fault.profile ? stretchOf(fault.profile) : []);
-    for (const other of document.querySelectorAll("#faults button")) other.removeAttribute("aria-pressed");
-    named.setAttribute("aria-pressed", "true");
-    if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
-  };
-  const named = button(fault.faces, go);
-  return element("li", [
-    named,
-    element("div", fault.message, { className: fault.verdict }),
-    element("div", sightOf(fault), { className: "soft" }),
-    into
-  ]);
-}
-var atOnce = 20;
-function list(host, faults, start2) {
-  const shown2 = element("ol", faults.slice(0, atOnce).map((fault) => entry(host, fault)), { start: start2 }), left2 = faults.slice(atOnce);
-  if (left2.length === 0) return shown2;
-  const more = button(`${left2.length} more`, () => {
-    shown2.append(...left2.map((fault) => entry(host, fault)));
-    more.remove();
-  });
-  return element("div", [shown2, more]);
-}
-function faultsPanel(into, host) {
-  const found = element("div");
-  const fetchAll = async (reply) => {
-    try {
-      host.tell("inspecting");
-      const { items, hidden } = await (await reply).json();
-      found.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
-      if (hidden.length > 0) found.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
-      host.tell(`${items.length + hidden.length} faults, in the order of mending`);
-    } catch (error) {
-      host.fail(error);
-    }
-  };
-  const withLines = button(
-    "with lines of these lamps",
-    () => void fetchAll(ask("POST", "/inspect", requestText(host.camera(), host.display().planes)))
-  );
-  withLines.title = "judges the lamps' reflection lines in this view, too";
-  into.replaceChildren(button("inspect", () => void fetchAll(ask("GET", "/inspect"))), withLines, found);
-}
-
 // source/row_moves.ts
 function rowAxes(plane) {
   const along = unit(plane.u), normal = unit(cross(plane.u, plane.v));
@@ -2313,10 +1921,13 @@ function turnedRow(plane, axis, angle) {
 function mmOfPixel(camera) {
   return pixelSize(camera) * (camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye)));
 }
+function movedWithin(plane, step2) {
+  const { along, across } = rowAxes(plane);
+  return moved(plane, sum(scaled(along, dot(step2, along)), scaled(across, dot(step2, across))));
+}
 function dragged(plane, camera, x, y) {
-  const { right: right2, up } = axesOf(camera), { along, across } = rowAxes(plane);
-  const way = scaled(sum(scaled(right2, x), scaled(up, -y)), mmOfPixel(camera));
-  return moved(plane, sum(scaled(along, dot(way, along)), scaled(across, dot(way, across))));
+  const { right: right2, up } = axesOf(camera);
+  return movedWithin(plane, scaled(sum(scaled(right2, x), scaled(up, -y)), mmOfPixel(camera)));
 }
 function afterMove(plane, move, amount) {
   const axes2 = rowAxes(plane), angle = amount * Math.PI / 180;
@@ -2440,11 +2051,11 @@ var mouseHelp = {
 };
 
 // source/pointer.ts
-var rest2 = 300;
+var rest = 300;
 var threshold = 3;
 function act(host, action, x, y) {
   const camera = host.camera();
-  if (action === "lamps") host.dragRow(x, y);
+  if (action === "lamps") host.lamps.drag(x, y);
   if (action === "pan") host.setCamera(panned(camera, x, y));
   if (action === "zoom") host.setCamera(dollied(camera, Math.exp(y / 200)));
   if (action === "orbit") host.setCamera(orbited(camera, camera.target, -x / 200, -y / 200));
@@ -2469,8 +2080,8 @@ var Pointer = class {
   press(event) {
     const { canvas, host } = this, action = mouseAction(host.style(), event);
     canvas.setPointerCapture(event.pointerId);
-    if (action === "lamps") host.grabRow(...this.pixel(event));
-    this.drag = { x: event.clientX, y: event.clientY, action, moved: false };
+    if (action === "lamps") host.lamps.grab(...this.pixel(event));
+    this.drag = { x: event.clientX, y: event.clientY, pixel: this.pixel(event), action, moved: false };
   }
   move(event) {
     const { drag, host } = this;
@@ -2479,9 +2090,10 @@ var Pointer = class {
     if (!drag.moved && Math.hypot(x, y) < threshold) return;
     if (drag.action !== "lamps") drag.action = mouseAction(host.style(), event);
     if (drag.action === "none") return;
-    Object.assign(drag, { x: event.clientX, y: event.clientY, moved: true });
-    const scale = host.camera().height / this.canvas.clientHeight;
-    act(host, drag.action, x * scale, y * scale);
+    const scale = host.camera().height / this.canvas.clientHeight, pixel = this.pixel(event);
+    if (drag.action === "lamps") host.lamps.follow(drag.pixel, pixel);
+    else act(host, drag.action, x * scale, y * scale);
+    Object.assign(drag, { x: event.clientX, y: event.clientY, pixel, moved: true });
     host.changed(drag.action !== "lamps", false);
   }
   release(event) {
@@ -2496,7 +2108,7 @@ var Pointer = class {
     clearTimeout(this.timer);
     host.setCamera(dollied(host.camera(), Math.exp(event.deltaY / 1e3)));
     host.changed(true, false);
-    this.timer = window.setTimeout(() => host.changed(true, true), rest2);
+    this.timer = window.setTimeout(() => host.changed(true, true), rest);
   }
 };
 
@@ -2522,11 +2134,11 @@ function keysOf(host) {
   return [
     ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => host.chooseLook(look) })),
     ...host.views().map(({ name, show }, i) => ({ key: String(i), words: `view: ${name}`, act: show })),
-    { key: "n", words: "the next row of lamps", act: () => host.nextRow() },
-    { key: "+", words: "row 50 mm along its normal", act: () => host.moveRow("normal", step2) },
-    { key: "-", words: "row 50 mm back", act: () => host.moveRow("normal", -step2) },
-    { key: "[", words: "turn the row by 2 degrees", act: () => host.moveRow("turn", angle) },
-    { key: "]", words: "turn the row back", act: () => host.moveRow("turn", -angle) },
+    { key: "n", words: "the next row of lamps", act: () => host.lamps.next() },
+    { key: "+", words: "row 50 mm along its normal", act: () => host.lamps.move("normal", step2) },
+    { key: "-", words: "row 50 mm back", act: () => host.lamps.move("normal", -step2) },
+    { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
+    { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
     { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
     { key: "?", words: "this list", act: () => showKeys(host) }
   ];
@@ -2553,60 +2165,76 @@ function listenToKeys(canvas, host) {
   };
 }
 
-// source/polyline.ts
-function stroke(context, points) {
-  context.beginPath();
-  let isDown = false;
-  for (const point of points) {
-    if (point && isDown) context.lineTo(...point);
-    else if (point) context.moveTo(...point);
-    isDown = point !== null;
+// source/lamp_rows.ts
+var LampRows = class {
+  constructor(planes, host) {
+    this.planes = planes;
+    this.host = host;
+    this.chosen = 0;
   }
-  context.stroke();
-}
-
-// source/marks.ts
-var arm = 7;
-var gap = 2;
-var Marks = class {
-  constructor(picture, camera) {
-    this.place = null;
-    this.stretch = [];
-    this.overlay = new EyeOverlay("marks", picture, camera, (context, eye) => this.draw(context, new Projection(eye)));
+  get all() {
+    return this.planes;
   }
-  /** Shows a place, and a stretch of which none, one or several pieces are there. */
-  show(place, stretch) {
-    this.place = place;
-    this.stretch = stretch;
-    this.overlay.show(true);
+  get row() {
+    return this.planes[this.chosen];
   }
-  /** Shows another place beside the stretch; null: nothing at all. */
-  move(place) {
-    if (place) return this.show(place, this.stretch);
-    this.stretch = [];
-    this.overlay.show(false);
+  /** Takes other rows, without showing them. */
+  take(planes) {
+    this.planes = planes;
   }
-  draw(context, projection) {
-    const pixel = (at) => projection.set(at) ? [projection.x, projection.y] : null;
-    const lines2 = this.stretch.map((piece) => piece.map(pixel)), cross3 = this.place ? crossAt(pixel(this.place)) : [];
-    for (const [color, width] of [["#000", 4], ["#ff4fd8", 2]]) {
-      Object.assign(context, { strokeStyle: color, lineWidth: width });
-      for (const line of [...lines2, ...cross3]) stroke(context, line);
-    }
+  /** Shows other rows. */
+  set(planes) {
+    this.take(planes);
+    this.choose(0);
+    this.host.changed(false, true);
+  }
+  choose(row2) {
+    this.chosen = row2;
+    this.host.rowChosen();
+  }
+  next() {
+    this.choose((this.chosen + 1) % Math.max(this.planes.length, 1));
+  }
+  /** Chooses the row that a pixel of the picture mirrors. */
+  grab(x, y) {
+    const row2 = this.host.rowAt(x, y);
+    if (row2 >= 0 && row2 !== this.chosen) this.choose(row2);
+  }
+  /**
+   * Moves the chosen row in its plane so that its image follows the mouse from one pixel of the picture to another; the
+   * caller shows it. Where the reflection jumps, or is none, the row moves as far as the mouse at the target.
+   */
+  follow(from, to) {
+    const { row: row2 } = this;
+    if (!row2) return;
+    const begin = this.host.mirroredOn(...from, row2), end = this.host.mirroredOn(...to, row2), step2 = begin && end && difference(end, begin);
+    const farthest = 0.25 * Math.max(length(row2.u), length(row2.v));
+    if (step2 && length(step2) <= farthest) this.edit(this.chosen, (plane) => movedWithin(plane, step2));
+    else this.drag(to[0] - from[0], to[1] - from[1]);
+  }
+  /** Moves the chosen row in its plane, by pixels of the picture at the target; the caller shows it. */
+  drag(x, y) {
+    this.edit(this.chosen, (plane) => dragged(plane, this.host.camera(), x, y));
+  }
+  /** Moves the chosen row by mm, or degrees. */
+  move(move, amount, isOver = true) {
+    this.edit(this.chosen, (plane) => afterMove(plane, move, amount));
+    this.host.changed(false, isOver);
+  }
+  /** Shows another row in place of one. */
+  change(row2, plane) {
+    this.edit(row2, () => plane);
+    this.host.changed(false, true);
+  }
+  edit(row2, change2) {
+    this.planes = this.planes.map((plane, i) => i === row2 ? change2(plane) : plane);
   }
 };
-function crossAt(pixel) {
-  if (!pixel) return [];
-  const [x, y] = pixel;
-  return [[-arm, -gap], [gap, arm]].flatMap(([from, to]) => [
-    [[x + from, y], [x + to, y]],
-    [[x, y + from], [x, y + to]]
-  ]);
-}
 
 // source/lamps_panel.ts
 function showLamps(host) {
-  showRows(host.planes(), host.row(), (row2) => host.chooseRow(row2), (row2, plane) => host.change(row2, withRoom(plane)));
+  const { lamps } = host;
+  showRows(lamps.all, lamps.chosen, (row2) => lamps.choose(row2), (row2, plane) => lamps.change(row2, withRoom(plane)));
 }
 function lampButtons(host) {
   const run = async (work) => {
@@ -2617,10 +2245,10 @@ function lampButtons(host) {
       host.fail(error);
     }
   };
-  const request = () => requestText(host.camera(), host.planes());
-  const place = async () => host.setRig((await (await ask("POST", "/place", request())).json()).rig);
+  const request = () => requestText(host.camera(), host.lamps.all);
+  const place = async () => host.lamps.set((await (await ask("POST", "/place", request())).json()).rig.planes);
   const save = async () => download("rig.toml", await (await ask("POST", "/rig", request())).blob());
-  const open = async () => host.setRig(await newRig(await pickedText(".toml")));
+  const open = async () => host.lamps.set((await newRig(await pickedText(".toml"))).planes);
   byId("lamp-buttons").replaceChildren(
     button("place for this view", () => void run(place)),
     button("save", () => void run(save)),
@@ -2713,62 +2341,673 @@ function linkOf(state) {
   return `${location.origin}${location.pathname}#${fragment}`;
 }
 
-// source/pick_panel.ts
-var numbers = (v, digits) => v.map((n) => n.toFixed(digits)).join(", ");
-function noteField(place, face, add) {
-  const input = element("input", "", { ariaLabel: "note", placeholder: "a note on this place", maxLength: 300 });
-  const keep = () => {
-    if (input.value.trim()) add({ text: input.value.trim(), place, face });
-    input.value = "";
-  };
-  input.onkeydown = (event) => {
-    if (event.key === "Enter") keep();
-  };
-  return element("p", [input, button("note", keep)]);
+// source/exact_picture.ts
+var rest2 = 300;
+async function bytesOf({ camera, planes, hidden }, signal) {
+  return (await ask("POST", "/still", requestText(camera, planes, hiddenText(hidden)), signal)).blob();
 }
-function radiusText(radius) {
-  const size2 = Math.abs(radius), flat = 1e6;
-  if (!(size2 < flat)) return "flat";
-  const digits = Math.max(0, 3 - Math.floor(Math.log10(size2)));
-  return `${size2.toFixed(digits)} mm ${radius > 0 ? "hollow" : "crowned"}`;
-}
-function showPlace(picture, facts2, x, y, add) {
-  const at = picture.pick(x, y);
-  byId("note").replaceChildren();
-  if (!at) {
-    showPairs(byId("pick"), [["nothing", ""]]);
-    return null;
+var ExactPicture = class {
+  /** `tell` gets a line for the user, `fail` an error. */
+  constructor(canvas, tell, fail) {
+    this.canvas = canvas;
+    this.tell = tell;
+    this.fail = fail;
+    this.running = new AbortController();
+    this.timer = 0;
   }
-  const { origin, direction: direction2 } = rayOf(picture.surfaces.camera, x + 0.5, y + 0.5), place = sum(origin, scaled(direction2, at.t));
-  const face = at.face > 0 ? facts2.faces[at.face - 1] : null;
-  showPairs(byId("pick"), [
-    ["face", face ? `${face.id} ${face.name}` : "ground"],
-    ["place", `${numbers(place, 2)} mm`],
-    ["normal", numbers(at.normal, 4)],
-    ["radii", at.radii.map(radiusText).join(", ")]
-  ]);
-  if (face) byId("note").replaceChildren(noteField(place, face.id, add));
-  return place;
+  /** Something has changed: takes the picture off, and ends work on it. */
+  outdate() {
+    if (!this.canvas.hidden) this.tell("");
+    this.canvas.hidden = true;
+    this.running.abort();
+    clearTimeout(this.timer);
+  }
+  /** Requests the picture after a while, unless something changes until then. */
+  follow(pictured) {
+    clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => void this.fetch(pictured), rest2);
+  }
+  /** The bytes of the picture, PNG, for a file. They come even if the view goes on; the server has one such picture
+   * at work for a page, so the one for the view ends, and this one serves it too. */
+  async file(pictured) {
+    clearTimeout(this.timer);
+    this.running.abort();
+    const own = this.running = new AbortController();
+    const bytes2 = await bytesOf(pictured);
+    if (!own.signal.aborted) await this.show(bytes2, own.signal);
+    return bytes2;
+  }
+  async fetch(pictured) {
+    const own = this.running = new AbortController();
+    try {
+      await this.show(await bytesOf(pictured, own.signal), own.signal);
+    } catch (error) {
+      if (!own.signal.aborted) this.fail(error);
+    }
+  }
+  async show(bytes2, signal) {
+    const image = await createImageBitmap(bytes2), { canvas } = this;
+    if (signal.aborted) return;
+    Object.assign(canvas, { width: image.width, height: image.height, hidden: false });
+    canvas.getContext("2d").drawImage(image, 0, 0);
+    this.tell("exact picture");
+  }
+};
+
+// source/deep_buffer.ts
+var header = 32;
+var sampleBytes = 32;
+var bounceBytes = 36;
+var magic = "KEIKOD1\n";
+function sizeOf(view) {
+  return header + view.getUint32(24, true) * sampleBytes + view.getUint32(28, true) * bounceBytes;
+}
+function passOf(bytes2) {
+  const view = new DataView(bytes2.buffer, bytes2.byteOffset, bytes2.byteLength);
+  const samples = view.getUint32(24, true);
+  const end = header + samples * sampleBytes;
+  return {
+    width: view.getUint32(8, true),
+    height: view.getUint32(12, true),
+    first: view.getUint32(16, true),
+    step: view.getUint32(20, true),
+    samples: new Float32Array(bytes2.buffer, bytes2.byteOffset + header, samples * 8),
+    bounces: new DataView(bytes2.buffer, bytes2.byteOffset + end, bytes2.byteLength - end)
+  };
+}
+var Reader = class {
+  constructor(stream) {
+    this.rest = new Uint8Array(0);
+    this.reader = stream.getReader();
+  }
+  /** Writes into all of `to`; false at the end of the stream. */
+  async fill(to) {
+    let done = 0;
+    while (done < to.length) {
+      if (this.rest.length === 0) {
+        const { value } = await this.reader.read();
+        if (!value) {
+          if (done > 0) throw new Error("the deep buffer was cut off");
+          return false;
+        }
+        this.rest = value;
+      }
+      const count = Math.min(this.rest.length, to.length - done);
+      to.set(this.rest.subarray(0, count), done);
+      this.rest = this.rest.subarray(count);
+      done += count;
+    }
+    return true;
+  }
+};
+async function readPasses(reply, use) {
+  const reader = new Reader(reply.body);
+  for (; ; ) {
+    const head = new Uint8Array(header);
+    if (!await reader.fill(head)) return;
+    if (new TextDecoder().decode(head.subarray(0, 8)) !== magic) throw new Error("this is no deep buffer");
+    const bytes2 = new Uint8Array(sizeOf(new DataView(head.buffer)));
+    bytes2.set(head);
+    await reader.fill(bytes2.subarray(header));
+    use(passOf(bytes2));
+  }
 }
 
-// source/saving.ts
-function savePicture(picture, facts2, display, { width, height }) {
-  download("picture.png", picture);
-  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}`;
-  const command = `keiko render ${facts2.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
-  showDialog("Picture", [
-    ["file", "picture.png, in your downloads"],
-    ["made by", display.look === "faces" ? "this page alone" : command],
-    ["", "save view and save write the view and the rig"]
+// source/reprojection.ts
+var numbersOfSample2 = 8;
+var numbersOfRay = 18;
+var Reprojection = class {
+  constructor() {
+    this.paths = new Int32Array(0);
+    this.depths = new Float32Array(0);
+    this.samples = new Float32Array(0);
+  }
+  pass(from, camera) {
+    const { width, height } = camera, moved2 = new MovedSurface(from, camera);
+    if (this.paths.length !== width * height) this.reserve(width * height);
+    const { paths, depths, samples } = this;
+    paths.fill(-1), depths.fill(Infinity);
+    new NearestPaths(from, camera, paths, depths).addAll();
+    for (let y = 0, pixel = 0; y < height; ++y)
+      for (let x = 0; x < width; ++x, ++pixel) {
+        if (paths[pixel] < 0) samples[numbersOfSample2 * pixel] = Infinity;
+        else moved2.write(paths[pixel], x, y, samples, numbersOfSample2 * pixel);
+      }
+    return { width, height, first: 0, step: 1, samples, bounces: new DataView(new ArrayBuffer(0)) };
+  }
+  reserve(pixels) {
+    this.paths = new Int32Array(pixels), this.depths = new Float32Array(pixels);
+    this.samples = new Float32Array(numbersOfSample2 * pixels);
+  }
+};
+function scaleOf(from, camera) {
+  const far = (c) => c.projection === "orthographic" ? 1 : length(difference(c.eye, c.target));
+  return pixelSize(from.camera) * far(from.camera) / (pixelSize(camera) * far(camera)) * Math.min(from.rowStep, 2);
+}
+var NearestPaths = class extends Projection {
+  // from one path to the next that is drawn: pixels hold many small ones
+  /** `paths`: by pixel, -1: none; `depths`: of the surface on the pixel's ray, mm along the eye's direction. */
+  constructor(from, camera, paths, depths) {
+    super(camera);
+    this.from = from;
+    this.paths = paths;
+    this.depths = depths;
+    const scale = scaleOf(from, camera);
+    this.side = scale < 0.75 ? 1 : Math.min(8, Math.ceil(1.3 * scale));
+    this.step = Math.max(1, Math.floor(0.5 / scale));
+  }
+  addAll() {
+    for (let path = 0; path < this.from.paths; path += this.step) this.add(path);
+  }
+  add(path) {
+    if (!this.set(this.from.first.numbers, numbersOfRay * path)) return;
+    const { camera: { width, height }, side } = this;
+    const left2 = Math.floor(this.x - 0.5 * (side - 1)), top2 = Math.floor(this.y - 0.5 * (side - 1));
+    const right2 = Math.min(left2 + side, width), bottom = Math.min(top2 + side, height);
+    if (left2 < right2 && top2 < bottom) this.fill(path, Math.max(left2, 0), Math.max(top2, 0), right2, bottom);
+  }
+  /** Puts a path into pixels where it is nearest: its tangent plane is met by each pixel's own ray. */
+  fill(path, left2, top2, right2, bottom) {
+    const { camera: { eye, width, height }, axes: { right: r, up: u, forward: f }, size: size2, isParallel, paths, depths } = this;
+    const { normals, first: { numbers: numbers2 } } = this.from, n = 3 * path, p = numbersOfRay * path;
+    const nx = normals[n], ny = normals[n + 1], nz = normals[n + 2];
+    const ahead = nx * f[0] + ny * f[1] + nz * f[2];
+    const aside = nx * r[0] + ny * r[1] + nz * r[2], upward = nx * u[0] + ny * u[1] + nz * u[2];
+    const away = nx * (numbers2[p] - eye[0]) + ny * (numbers2[p + 1] - eye[1]) + nz * (numbers2[p + 2] - eye[2]);
+    const sameSurface = 1 - 1e-3;
+    for (let y = top2; y < bottom; ++y)
+      for (let x = left2; x < right2; ++x) {
+        const across = (x + 0.5 - 0.5 * width) * size2, rise = (0.5 * height - y - 0.5) * size2, sideways = aside * across + upward * rise;
+        const towards = isParallel ? ahead : ahead + sideways, depth = (isParallel ? away - sideways : away) / towards;
+        const lowest = -0.02 * (isParallel ? 1 : Math.sqrt(1 + across * across + rise * rise)), pixel = y * width + x;
+        if (towards < lowest && depth > 0 && depth < sameSurface * depths[pixel]) depths[pixel] = depth, paths[pixel] = path;
+      }
+  }
+};
+var MovedSurface = class extends CameraFrame {
+  constructor(from, camera) {
+    super(camera);
+    this.from = from;
+    this.origin = new Float64Array(3);
+    this.ray = new Float64Array(3);
+  }
+  /** Writes the sample where a pixel's ray meets the tangent plane of a path's surface. */
+  write(path, x, y, samples, at) {
+    const { from: { normals, samples: own, pixels, first: { numbers: numbers2 } }, origin: o, ray: d } = this;
+    const n = 3 * path, p = numbersOfRay * path, source = numbersOfSample2 * pixels[path];
+    this.setRay(x + 0.5, y + 0.5);
+    let towards = 0, away = 0;
+    for (let k = 0; k < 3; ++k) towards += normals[n + k] * d[k], away += normals[n + k] * (numbers2[p + k] - o[k]);
+    const t = samples[at] = away / towards;
+    for (let k = 1; k < numbersOfSample2; ++k) samples[at + k] = own[source + k];
+    for (let k = 0; k < 3; ++k) step[k] = o[k] + t * d[k] - numbers2[p + k];
+    this.turnNormal(path, samples, at);
+  }
+  setRay(x, y) {
+    const { camera: { eye, width, height }, axes: { right: right2, up, forward }, origin, ray, size: size2, isParallel } = this;
+    const across = (x - 0.5 * width) * size2, rise = (0.5 * height - y) * size2;
+    const perLength = isParallel ? 1 : 1 / Math.sqrt(1 + across * across + rise * rise);
+    for (let k = 0; k < 3; ++k) {
+      const aside = right2[k] * across + up[k] * rise;
+      origin[k] = eye[k] + (isParallel ? aside : 0);
+      ray[k] = (forward[k] + (isParallel ? 0 : aside)) * perLength;
+    }
+  }
+  /** Turns the normal of a sample by the surface's curvature over `step`. */
+  turnNormal(path, samples, at) {
+    const surface = this.from.surfaceOf(path), { normal } = surface;
+    if (surface.isPoint) return;
+    surface.turn(step, 0, change);
+    const a = normal[0] + change[0], b = normal[1] + change[1], c = normal[2] + change[2];
+    const isLower = c < 0, sum2 = Math.abs(a) + Math.abs(b) + Math.abs(c), q = a / sum2, r = b / sum2;
+    if (isLower !== normal[2] < 0) return;
+    samples[at + 1] = isLower ? (1 - Math.abs(r)) * (q < 0 ? -1 : 1) : q;
+    samples[at + 2] = isLower ? (1 - Math.abs(q)) * (r < 0 ? -1 : 1) : r;
+  }
+};
+var step = new Float64Array(3);
+var change = new Float64Array(3);
+
+// source/tracing.ts
+var longest = 28;
+var short = 20;
+var Tracing = class {
+  // pixels of the window to one of a preview
+  /** `reflections`: most of them that are followed; `show` gets surfaces, which may become more. */
+  constructor(reflections, bufferFor, show, traced = {}) {
+    this.reflections = reflections;
+    this.bufferFor = bufferFor;
+    this.show = show;
+    this.traced = traced;
+    /** The last surfaces that came from the server. */
+    this.source = null;
+    this.own = new AbortController();
+    this.isDrafting = false;
+    this.wanted = null;
+    // of a draft
+    this.eye = null;
+    // that moves
+    this.reprojection = new Reprojection();
+    this.previewed = null;
+    this.coarseness = 2;
+  }
+  /** Fetches all surfaces, coarse rows first; false if a later call ended this one. */
+  async rest(camera) {
+    this.own.abort();
+    this.wanted = null;
+    const own = this.own = new AbortController(), buffer = this.bufferFor(camera), isFirst = !this.source, fineEnough = 2;
+    await this.fetch(buffer, true, own.signal, () => {
+      if (!isFirst && buffer.rowStep > fineEnough) return;
+      this.source = buffer;
+      this.show(buffer);
+    });
+    return !own.signal.aborted;
+  }
+  /** Shows the surfaces in hand from an eye that moves, and fetches a draft of what it sees. */
+  async move(camera) {
+    if (!this.isDrafting) this.own.abort();
+    this.eye = camera;
+    this.wanted = sized(camera, camera.width >> 1, camera.height >> 1);
+    this.preview();
+    if (this.isDrafting) return;
+    this.isDrafting = true;
+    try {
+      while (this.wanted) await this.draft(this.wanted);
+    } finally {
+      this.isDrafting = false;
+    }
+  }
+  async draft(camera) {
+    const own = this.own = new AbortController(), buffer = this.bufferFor(camera);
+    await this.fetch(buffer, false, own.signal, () => {
+      this.source = buffer;
+    });
+    if (own.signal.aborted) return;
+    if (this.wanted === camera) this.wanted = null, this.show(buffer);
+  }
+  preview() {
+    if (!this.source || !this.eye) return;
+    const { eye, coarseness } = this, camera = sized(eye, Math.ceil(eye.width / coarseness), Math.ceil(eye.height / coarseness));
+    const buffer = this.previewed = this.bufferFor(camera, this.previewed);
+    buffer.add(this.reprojection.pass(this.source, camera));
+    this.show(buffer);
+  }
+  /** Takes the milliseconds of the last frame of a moving eye: the next previews are as fine as the time allows. */
+  pace(milliseconds) {
+    const finer = this.coarseness - 1;
+    if (milliseconds > longest) this.coarseness = Math.min(this.coarseness + 1, 4);
+    else if (finer >= 2 && milliseconds * (this.coarseness / finer) ** 2 < short) this.coarseness = finer;
+  }
+  async fetch(buffer, isInterlaced, signal, use) {
+    const more = `interlaced = ${isInterlaced}
+reflections = ${Math.min(8, Math.max(1, this.reflections))}
+${hiddenText(this.traced.hidden?.() ?? [])}`;
+    try {
+      const reply = await ask("POST", this.traced.path ?? "/deep", requestText(buffer.camera, void 0, more), signal);
+      await readPasses(reply, (pass) => {
+        if (signal.aborted) return;
+        buffer.add(pass);
+        use();
+      });
+    } catch (error) {
+      if (!signal.aborted) throw error;
+    }
+  }
+};
+
+// source/live_picture.ts
+var slice = 12;
+var LivePicture = class {
+  constructor(facts2, host) {
+    this.host = host;
+    this.canvas = byId("picture");
+    this.white = 0;
+    this.fullCurvature = 1e-3;
+    this.frame = 0;
+    this.spent = 0;
+    // ms of work since the last frame
+    this.turn = 0;
+    // of the changes: work for an earlier one is out of date
+    this.isEyeMoving = false;
+    this.picture = new Picture(this.canvas, facts2);
+    this.exact = new ExactPicture(byId("still"), (line) => host.tell(line), (error) => host.fail(error));
+    this.tracing = new Tracing(facts2.reflections, (camera, spent) => this.picture.bufferFor(camera, spent), (buffer) => {
+      this.picture.show(buffer);
+      this.paint();
+    }, { hidden: () => host.pictured().hidden });
+  }
+  display() {
+    return { ...this.host.look(), planes: this.host.pictured().planes, white: this.white || 1, fullCurvature: this.fullCurvature };
+  }
+  /** The surface at a pixel, if there is one. */
+  pick(x, y) {
+    return this.picture.pick(x, y);
+  }
+  /** The nearest of some rows that a pixel mirrors; -1 without one. */
+  rowAt(x, y, planes) {
+    return this.picture.rowAt(x, y, planes);
+  }
+  /** Where the reflection at a pixel meets the plane of a row; null if it does not. */
+  mirroredOn(x, y, plane) {
+    return this.picture.mirroredOn(x, y, plane);
+  }
+  /** Something has moved: the exact picture is out of date, and follows at rest. */
+  changed(isEye, isOver) {
+    this.exact.outdate();
+    ++this.turn;
+    this.isEyeMoving = isEye && !isOver;
+    const began = performance.now();
+    if (this.isEyeMoving) this.tracing.move(this.host.pictured().camera).catch((error) => this.host.fail(error));
+    else this.paint();
+    this.spent += performance.now() - began;
+    if (isOver) void this.settle(isEye);
+  }
+  /** Completes the picture after a change: surfaces, bent pixels, white, and after a while the exact picture. */
+  async settle(isEye) {
+    const own = ++this.turn, began = performance.now(), { host } = this;
+    try {
+      if (isEye && !await this.tracing.rest(host.pictured().camera)) return;
+      const taken = performance.now() - began;
+      if (!await this.refine(own)) return;
+      this.measure();
+      this.draw();
+      if (isEye) host.tell(`surfaces in ${taken.toFixed(0)} ms`);
+      host.settled();
+      if (host.look().look === "lamps") this.exact.follow(host.pictured());
+    } catch (error) {
+      host.fail(error);
+    }
+  }
+  /** Divides bent pixels in slices of time; false if something changed meanwhile. */
+  async refine(own) {
+    cancelAnimationFrame(this.frame);
+    this.draw();
+    while (own === this.turn) {
+      if (this.picture.refine(this.display(), slice)) return true;
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+    return false;
+  }
+  /** Takes white or the scale of curvature from the picture as it is drawn. */
+  measure() {
+    const { look, kind } = this.host.look();
+    if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(kind);
+    if (look === "lamps") this.white = this.picture.whiteOf();
+  }
+  paint() {
+    cancelAnimationFrame(this.frame);
+    this.frame = requestAnimationFrame(() => this.drawFrame());
+  }
+  drawFrame() {
+    const began = performance.now();
+    this.draw();
+    const taken = performance.now() - began + this.spent;
+    this.canvas.dataset.frame = taken.toFixed(1);
+    this.spent = 0;
+    if (this.isEyeMoving) this.tracing.pace(taken);
+    if (this.white === 0) {
+      this.measure();
+      this.draw();
+    }
+  }
+  draw() {
+    this.picture.draw(this.display());
+    this.host.drawn();
+  }
+  /** Shows pictures as large as the window allows, in the shape of the camera's. */
+  fit({ width, height }) {
+    const room = this.canvas.parentElement, scale = Math.min(room.clientWidth / width, room.clientHeight / height);
+    for (const shown2 of [this.canvas, this.exact.canvas])
+      Object.assign(shown2.style, { width: `${width * scale}px`, height: `${height * scale}px` });
+  }
+  /** The exact picture, or that of another look, as the bytes of a file. */
+  async file() {
+    return this.host.look().look === "lamps" ? this.exact.file(this.host.pictured()) : new Promise((use) => this.canvas.toBlob((blob) => use(blob)));
+  }
+};
+
+// source/polyline.ts
+function stroke(context, points) {
+  context.beginPath();
+  let isDown = false;
+  for (const point of points) {
+    if (point && isDown) context.lineTo(...point);
+    else if (point) context.moveTo(...point);
+    isDown = point !== null;
+  }
+  context.stroke();
+}
+
+// source/marks.ts
+var arm = 7;
+var gap = 2;
+var Marks = class {
+  constructor(picture, camera) {
+    this.place = null;
+    this.stretch = [];
+    this.overlay = new EyeOverlay("marks", picture, camera, (context, eye) => this.draw(context, new Projection(eye)));
+  }
+  /** Shows a place, and a stretch of which none, one or several pieces are there. */
+  show(place, stretch) {
+    this.place = place;
+    this.stretch = stretch;
+    this.overlay.show(true);
+  }
+  /** Shows another place beside the stretch; null: nothing at all. */
+  move(place) {
+    if (place) return this.show(place, this.stretch);
+    this.stretch = [];
+    this.overlay.show(false);
+  }
+  draw(context, projection) {
+    const pixel = (at) => projection.set(at) ? [projection.x, projection.y] : null;
+    const lines2 = this.stretch.map((piece) => piece.map(pixel)), cross3 = this.place ? crossAt(pixel(this.place)) : [];
+    for (const [color, width] of [["#000", 4], ["#ff4fd8", 2]]) {
+      Object.assign(context, { strokeStyle: color, lineWidth: width });
+      for (const line of [...lines2, ...cross3]) stroke(context, line);
+    }
+  }
+};
+function crossAt(pixel) {
+  if (!pixel) return [];
+  const [x, y] = pixel;
+  return [[-arm, -gap], [gap, arm]].flatMap(([from, to]) => [
+    [[x + from, y], [x + to, y]],
+    [[x, y + from], [x, y + to]]
   ]);
 }
-async function copyLink(state, tell) {
-  try {
-    await navigator.clipboard.writeText(linkOf(state));
-    tell("the link is copied; it opens this view as long as the server goes on");
-  } catch {
-    showDialog("Link", [["address", linkOf(state)]]);
+
+// source/compare.ts
+var ways = ["new", "both", "difference"];
+var slice2 = 12;
+var Earlier = class {
+  constructor(host, over) {
+    this.host = host;
+    this.over = over;
+    this.canvas = element("canvas", "", { id: "earlier", hidden: true });
+    this.picture = null;
+    this.traced = null;
+    this.drawn = "";
+    this.way = "new";
+    this.tracing = null;
+    byId("still").after(this.canvas);
   }
+  async show(way) {
+    const wasShown = this.way !== "new";
+    this.way = way;
+    this.canvas.hidden = way === "new";
+    this.canvas.style.mixBlendMode = way === "difference" ? "difference" : "normal";
+    this.over.parentElement.classList.toggle("comparing", way !== "new");
+    if (wasShown || way === "new") return;
+    const facts2 = await (await ask("GET", "/against/scene")).json();
+    const picture = this.picture ??= new Picture(this.canvas, facts2);
+    this.tracing ??= new Tracing(facts2.reflections, (camera, spent) => picture.bufferFor(camera, spent), (buffer) => {
+      picture.show(buffer);
+      this.draw(this.host.display());
+    }, { path: "/against/deep" });
+    this.follow();
+  }
+  /** Share of the picture, from the left, that shows the new revision. */
+  split(share2) {
+    this.canvas.style.clipPath = `inset(0 0 0 ${(100 * share2).toFixed(2)}%)`;
+  }
+  /** Follows eye, look and lamps as long as it is shown. */
+  follow() {
+    if (this.way === "new") return;
+    const camera = this.host.camera(), { width, height } = this.over.style;
+    Object.assign(this.canvas.style, { width, height });
+    if (camera !== this.traced) void this.trace(camera);
+    const display = this.host.display(), now = JSON.stringify(display);
+    if (now !== this.drawn) this.draw(display);
+    this.drawn = now;
+    requestAnimationFrame(() => this.follow());
+  }
+  draw(display) {
+    this.picture.draw(display);
+  }
+  async trace(camera) {
+    this.traced = camera;
+    try {
+      if (!await this.tracing.rest(camera)) return;
+      while (camera === this.traced && !this.picture.refine(this.host.display(), slice2))
+        await new Promise((resolve) => setTimeout(resolve));
+      this.canvas.dataset.traced = "whole";
+    } catch (error) {
+      this.host.fail(error);
+    }
+  }
+};
+function comparePanel(into, host, over) {
+  const section = into.parentElement;
+  section.hidden = !host.facts.against;
+  if (section.hidden) return;
+  const earlier = new Earlier(host, over), buttons = element("p");
+  const slider = element("input", "", { type: "range", min: "0", max: "1", step: "any", value: "0.5", ariaLabel: "border between the revisions" });
+  const show = (way) => {
+    slider.disabled = way !== "both";
+    earlier.split(way === "both" ? Number(slider.value) : 0);
+    earlier.show(way).catch((error) => host.fail(error));
+  };
+  slider.oninput = () => earlier.split(Number(slider.value));
+  choice(buttons, ways, "new", (name) => show(name));
+  slider.disabled = true;
+  into.replaceChildren(buttons, slider);
+}
+
+// source/profile_plot.ts
+function plotted(profile, mending) {
+  if (mending === "position") return ["gap", profile.gap, (s) => s.gap];
+  const { curvature } = profile;
+  if (mending === "curvature" && curvature)
+    return ["curvature mismatch", curvature, (s) => curvature.formula === "catia" ? s.catia : s.alias];
+  return ["angle", profile.angle, (s) => s.angle];
+}
+var wide = 320;
+var high = 90;
+var top = 14;
+function svg(tag, attributes, text2 = "") {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  made.textContent = text2;
+  return made;
+}
+function lines(profile, value, scale) {
+  const found = [];
+  let piece = -1;
+  for (const sample of profile.samples) {
+    const v = value(sample);
+    if (v === null || v === void 0) piece = -1;
+    else {
+      if (sample.piece !== piece) found.push([]);
+      piece = sample.piece;
+      found[found.length - 1].push(`${(sample.along / profile.length * wide).toFixed(1)},${scale(v).toFixed(1)}`);
+    }
+  }
+  return found.map((points) => points.join(" "));
+}
+function profilePlot(profile, mending) {
+  const [name, quantity, value] = plotted(profile, mending);
+  const unit2 = quantity?.unit === "1" ? "" : ` ${quantity?.unit ?? ""}`, limit = quantity?.limit ?? null;
+  const largest = Math.max(quantity?.largest ?? 0, limit ?? 0, 1e-12) * 1.05;
+  const scale = (v) => top + (high - top) * (1 - v / largest);
+  const title = `${name} up to ${quantity?.largest.toPrecision(3) ?? "?"}${unit2} on ${profile.length.toFixed(1)} mm` + (limit === null ? "" : `, limit ${limit}${unit2}`);
+  const plot = svg("svg", { viewBox: `0 0 ${wide} ${high + 1}`, class: "plot", role: "img", "aria-label": title });
+  plot.append(svg("text", { x: 0, y: 10 }, title));
+  if (limit !== null) plot.append(svg("line", { class: "limit", x1: 0, x2: wide, y1: scale(limit), y2: scale(limit) }));
+  for (const points of lines(profile, value, scale)) plot.append(svg("polyline", { points }));
+  return plot;
+}
+
+// source/faults.ts
+function stretchOf({ samples }) {
+  const pieces = /* @__PURE__ */ new Map();
+  for (const { piece, place } of samples) pieces.set(piece, [...pieces.get(piece) ?? [], place]);
+  return [...pieces.values()];
+}
+var shown = 0.16;
+function closeUp(host, fault) {
+  const { upper, lower } = host.facts.bounds, height = shown * length(difference(upper, lower));
+  const view = host.facts.views.find(({ name }) => name === fault.view);
+  if (!view) return lookingAt(host.camera(), fault.place, 3 * height);
+  const away = length(difference(fault.place, view.camera.eye));
+  return {
+    ...view.camera,
+    target: fault.place,
+    orthographic_height: height,
+    vertical_fov: 2 * Math.atan(height / (2 * away)) * 180 / Math.PI
+  };
+}
+function sightOf(fault) {
+  const seen = fault.width >= 0.05 ? ` · breaks a reflection by ${fault.width.toFixed(1)}′` : "";
+  const long = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
+  return fault.mending + seen + long + (fault.mirrored ? " · on both sides" : "");
+}
+function entry(host, fault) {
+  const into = element("div");
+  const go = () => {
+    host.lookFrom(closeUp(host, fault));
+    host.mark(fault.place, fault.profile ? stretchOf(fault.profile) : []);
+    for (const other of document.querySelectorAll("#faults button")) other.removeAttribute("aria-pressed");
+    named.setAttribute("aria-pressed", "true");
+    if (fault.profile) into.replaceChildren(profilePlot(fault.profile, fault.mending));
+  };
+  const named = button(fault.faces, go);
+  return element("li", [
+    named,
+    element("div", fault.message, { className: fault.verdict }),
+    element("div", sightOf(fault), { className: "soft" }),
+    into
+  ]);
+}
+var atOnce = 20;
+function list(host, faults, start2) {
+  const shown2 = element("ol", faults.slice(0, atOnce).map((fault) => entry(host, fault)), { start: start2 }), left2 = faults.slice(atOnce);
+  if (left2.length === 0) return shown2;
+  const more = button(`${left2.length} more`, () => {
+    shown2.append(...left2.map((fault) => entry(host, fault)));
+    more.remove();
+  });
+  return element("div", [shown2, more]);
+}
+function faultsPanel(into, host) {
+  const found = element("div");
+  const fetchAll = async (reply) => {
+    try {
+      host.tell("inspecting");
+      const { items, hidden } = await (await reply).json();
+      found.replaceChildren(items.length + hidden.length > 0 ? list(host, items, 1) : element("p", "no faults"));
+      if (hidden.length > 0) found.append(element("p", "In hidden places:"), list(host, hidden, items.length + 1));
+      host.tell(`${items.length + hidden.length} faults, in the order of mending`);
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  const withLines = button(
+    "with lines of these lamps",
+    () => void fetchAll(ask("POST", "/inspect", requestText(host.camera(), host.display().planes)))
+  );
+  withLines.title = "judges the lamps' reflection lines in this view, too";
+  into.replaceChildren(button("inspect", () => void fetchAll(ask("GET", "/inspect"))), withLines, found);
 }
 
 // source/seams.ts
@@ -2804,6 +3043,103 @@ function seamsPanel(into, host) {
     }
   };
   into.replaceChildren(button("judge", () => void judge()));
+}
+
+// source/page_panel.ts
+var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
+function namedViews(facts2) {
+  return [{ name: "opened", camera: facts2.camera }, ...facts2.own_views, ...facts2.views.filter(({ name }) => shownViews.includes(name))];
+}
+function showLooks({ look, kind }, choose) {
+  choice(byId("look-buttons"), looks, look, (name) => choose({ look: name, kind }));
+  byId("curvature-kind").replaceChildren(...look === "curvature" ? [
+    selection("of", curvatureKinds, kind, (name) => choose({ look, kind: name }))
+  ] : []);
+}
+function moreViews(host) {
+  const views = host.facts.views.filter(({ name }) => !shownViews.includes(name));
+  return selection("more", ["", ...views.map(({ name }) => name)], "", (chosen) => {
+    const view = views.find(({ name }) => name === chosen);
+    if (view) host.lookFrom(view.camera);
+  });
+}
+function showPanel(host, canvas) {
+  byId("views").replaceChildren(
+    ...host.views().map(({ name, show }) => button(name, show)),
+    moreViews(host),
+    button("save view", () => download("view.toml", new Blob([viewText(host.camera())])))
+  );
+  showLamps(host);
+  lampButtons(host);
+  seamsPanel(byId("seams"), host);
+  faultsPanel(byId("faults"), host);
+  comparePanel(byId("compare"), host, canvas);
+  byId("page").replaceChildren(
+    button("picture", () => host.savePicture()),
+    button("copy link", () => host.copyLink()),
+    button("keys", () => showKeys(host)),
+    selection("mouse", mouseStyles, host.style(), (style) => host.setStyle(style)),
+    selection("colours", ["light dark", "light", "dark"], localStorage.getItem("colours") ?? "light dark", showInColours)
+  );
+  showFacts(host.facts);
+}
+
+// source/pick_panel.ts
+var numbers = (v, digits) => v.map((n) => n.toFixed(digits)).join(", ");
+function noteField(place, face, add) {
+  const input = element("input", "", { ariaLabel: "note", placeholder: "a note on this place", maxLength: 300 });
+  const keep = () => {
+    if (input.value.trim()) add({ text: input.value.trim(), place, face });
+    input.value = "";
+  };
+  input.onkeydown = (event) => {
+    if (event.key === "Enter") keep();
+  };
+  return element("p", [input, button("note", keep)]);
+}
+function radiusText(radius) {
+  const size2 = Math.abs(radius), flat = 1e6;
+  if (!(size2 < flat)) return "flat";
+  const digits = Math.max(0, 3 - Math.floor(Math.log10(size2)));
+  return `${size2.toFixed(digits)} mm ${radius > 0 ? "hollow" : "crowned"}`;
+}
+function apartText(a, b) {
+  const angle = Math.atan2(length(cross(a.normal, b.normal)), dot(a.normal, b.normal)) * 180 / Math.PI;
+  return `${length(difference(b.place, a.place)).toFixed(3)} mm, normals ${angle.toFixed(3)}° apart`;
+}
+function showPlace(at, before, facts2, add) {
+  byId("note").replaceChildren();
+  if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
+  const face = at.face > 0 ? facts2.faces[at.face - 1] : null;
+  showPairs(byId("pick"), [
+    ["face", face ? `${face.id} ${face.name}` : "ground"],
+    ["place", `${numbers(at.place, 2)} mm`],
+    ["rounding", `${at.rounding.toPrecision(1)} mm`],
+    ["normal", numbers(at.normal, 4)],
+    ["radii", at.radii.map(radiusText).join(", ")],
+    ...before ? [["from the last", apartText(before, at)]] : []
+  ]);
+  if (face) byId("note").replaceChildren(noteField(at.place, face.id, add));
+}
+
+// source/saving.ts
+function savePicture(picture, facts2, display, { width, height }) {
+  download("picture.png", picture);
+  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}`;
+  const command = `keiko render ${facts2.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
+  showDialog("Picture", [
+    ["file", "picture.png, in your downloads"],
+    ["made by", display.look === "faces" ? "this page alone" : command],
+    ["", "save view and save write the view and the rig"]
+  ]);
+}
+async function copyLink(state, tell) {
+  try {
+    await navigator.clipboard.writeText(linkOf(state));
+    tell("the link is copied; it opens this view as long as the server goes on");
+  } catch {
+    showDialog("Link", [["address", linkOf(state)]]);
+  }
 }
 
 // source/section.ts
@@ -2969,59 +3305,42 @@ var Tree = class {
 };
 
 // source/viewer.ts
-var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
-var slice2 = 12;
 var Viewer = class {
-  // of the changes: work for an earlier one is out of date
   constructor(facts2) {
     this.facts = facts2;
     this.left = [];
     // faces that are not shown
     this.stated = { look: "lamps", kind: "mean" };
-    this.chosenRow = 0;
-    this.white = 0;
-    this.fullCurvature = 1e-3;
-    this.mouse = "Keiko";
-    this.canvas = byId("picture");
-    this.frame = 0;
-    this.spent = 0;
-    // ms of work since the last frame
-    this.turn = 0;
+    this.picked = null;
     this.eye = facts2.camera;
-    this.rows = facts2.rig.planes;
+    this.lamps = new LampRows(facts2.rig.planes, this);
     this.mouse = mouseStyles.find((style) => style === localStorage.getItem("mouse")) ?? "Keiko";
-    this.picture = new Picture(this.canvas, facts2);
-    this.exact = new ExactPicture(byId("still"), (line) => this.tell(line), (error) => this.fail(error));
-    this.tracing = new Tracing(facts2.reflections, (camera) => this.picture.bufferFor(camera), (buffer) => {
-      this.picture.show(buffer);
-      this.paint();
-    }, { hidden: () => this.left });
-    this.gizmo = new Gizmo(this.canvas.parentElement, (move, amount, isOver) => this.moveRow(move, amount, isOver));
-    this.section = new SectionPanel(byId("section"), this, this.canvas);
+    this.picture = new LivePicture(facts2, this);
+    const { canvas } = this.picture;
+    this.gizmo = new Gizmo(canvas.parentElement, (move, amount, isOver) => this.lamps.move(move, amount, isOver));
+    this.section = new SectionPanel(byId("section"), this, canvas);
     this.tree = new Tree(byId("tree"), this);
-    this.marks = new Marks(this.canvas, () => this.eye);
-    this.analysis = new AnalysisPanel(byId("analysis"), this, this.canvas);
+    this.marks = new Marks(canvas, () => this.eye);
+    this.analysis = new AnalysisPanel(byId("analysis"), this, canvas);
   }
   /** Shows what the address states, or else the analysis that the server was started with, or else its view. */
   async start() {
-    const linked = stateOfAddress(), analysis = await fetchAnalysis();
+    const linked = stateOfAddress(), analysis = await fetchAnalysis(), { canvas } = this.picture;
     if (linked) this.restore(linked);
     else if (analysis) this.analysis.take(analysis);
-    this.showPanel();
-    new Pointer(this.canvas, this);
-    listenToKeys(this.canvas, this);
-    window.onresize = () => this.fit();
-    this.fit();
+    this.showLooks();
+    showPanel(this, canvas);
+    new Pointer(canvas, this);
+    listenToKeys(canvas, this);
+    window.onresize = () => this.picture.fit(this.eye);
+    this.picture.fit(this.eye);
     this.changed(true, true);
   }
   camera() {
     return this.eye;
   }
-  planes() {
-    return this.rows;
-  }
-  row() {
-    return this.chosenRow;
+  look() {
+    return this.stated;
   }
   hidden() {
     return this.left;
@@ -3033,65 +3352,39 @@ var Viewer = class {
     return this.mouse;
   }
   display() {
-    return { ...this.stated, planes: this.rows, white: this.white || 1, fullCurvature: this.fullCurvature };
+    return this.picture.display();
+  }
+  pictured() {
+    return { camera: this.eye, planes: this.lamps.all, hidden: this.left };
+  }
+  rowAt(x, y) {
+    return this.picture.rowAt(x, y, this.lamps.all);
+  }
+  mirroredOn(x, y, plane) {
+    return this.picture.mirroredOn(x, y, plane);
   }
   restore({ camera, look, planes, hidden, section, notes }) {
     this.eye = { ...this.facts.camera, ...camera };
-    this.rows = planes ?? this.rows;
+    this.lamps.take(planes ?? this.lamps.all);
     this.stated = look;
     this.left = hidden;
     this.analysis.notes.show(notes);
     if (section) this.section.show(section);
   }
   take({ views: [first], sections, hidden, rig }) {
-    this.rows = rig.planes;
-    this.left = hidden;
+    this.lamps.take(rig.planes);
     this.section.take(sections);
     if (first) this.eye = { ...this.eye, ...first.camera, width: this.eye.width, height: this.eye.height };
     this.choose(lookOf(first?.look ?? "lamps") ?? this.stated);
-    this.chooseRow(0);
+    this.lamps.choose(0);
     this.hide(hidden);
   }
-  /** Completes the picture after a change: surfaces, bent pixels, white, and after a while the exact picture. */
-  async settle(isEye) {
-    const own = ++this.turn, began = performance.now();
-    try {
-      if (isEye && !await this.tracing.rest(this.eye)) return;
-      const taken = performance.now() - began;
-      if (!await this.refine(own)) return;
-      this.measure();
-      this.draw();
-      if (isEye) this.tell(`surfaces in ${taken.toFixed(0)} ms`);
-      this.keep();
-      if (this.stated.look === "lamps") this.exact.follow(this.pictured());
-    } catch (error) {
-      this.fail(error);
-    }
-  }
-  /** Divides bent pixels in slices of time; false if something changed meanwhile. */
-  async refine(own) {
-    cancelAnimationFrame(this.frame);
-    this.draw();
-    while (own === this.turn) {
-      if (this.picture.refine(this.display(), slice2)) return true;
-      await new Promise((resolve) => setTimeout(resolve));
-    }
-    return false;
-  }
-  /** White or the scale of curvature, by the picture as it is drawn. */
-  measure() {
-    const { look, kind } = this.stated;
-    if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(kind);
-    if (look === "lamps") this.white = this.picture.whiteOf();
-  }
-  pictured() {
-    return { camera: this.eye, planes: this.rows, hidden: this.left };
-  }
   state() {
+    const { all } = this.lamps;
     return {
       camera: this.eye,
       look: this.stated,
-      planes: this.rows === this.facts.rig.planes ? null : this.rows,
+      planes: all === this.facts.rig.planes ? null : all,
       hidden: this.left,
       section: this.section.plane,
       notes: this.analysis.notes.all
@@ -3100,40 +3393,18 @@ var Viewer = class {
   keep() {
     keepInAddress(this.state());
   }
-  paint() {
-    cancelAnimationFrame(this.frame);
-    this.frame = requestAnimationFrame(() => this.drawFrame());
+  settled() {
+    this.keep();
   }
-  drawFrame() {
-    const began = performance.now();
-    this.draw();
-    this.canvas.dataset.frame = (performance.now() - began + this.spent).toFixed(1);
-    this.spent = 0;
-    if (this.white === 0) {
-      this.measure();
-      this.draw();
-    }
+  drawn() {
+    this.gizmo.show(this.lamps.row, this.eye);
   }
-  draw() {
-    this.picture.draw(this.display());
-    this.gizmo.show(this.rows[this.chosenRow], this.eye);
+  rowChosen() {
+    showLamps(this);
+    this.drawn();
   }
-  /** Something has moved: the exact picture is out of date, and follows at rest. */
   changed(isEye, isOver) {
-    this.exact.outdate();
-    ++this.turn;
-    const began = performance.now();
-    if (isEye && !isOver) this.tracing.move(this.eye).catch((error) => this.fail(error));
-    else this.paint();
-    this.spent += performance.now() - began;
-    if (isOver) void this.settle(isEye);
-  }
-  /** Shows pictures as large as the window allows, in the shape of the camera's. */
-  fit() {
-    const room = this.canvas.parentElement, { width, height } = this.eye;
-    const scale = Math.min(room.clientWidth / width, room.clientHeight / height);
-    for (const shown2 of [this.canvas, this.exact.canvas])
-      Object.assign(shown2.style, { width: `${width * scale}px`, height: `${height * scale}px` });
+    this.picture.changed(isEye, isOver);
   }
   setCamera(camera) {
     this.eye = camera;
@@ -3148,8 +3419,10 @@ var Viewer = class {
     this.mark(place);
   }
   pick(x, y) {
-    const place = showPlace(this.picture, this.facts, x, y, (note) => this.analysis.addNote(note));
-    this.marks.move(place);
+    const picked = this.picture.pick(x, y);
+    showPlace(picked, this.picked, this.facts, (note) => this.analysis.addNote(note));
+    this.picked = picked ?? this.picked;
+    this.marks.move(picked && picked.place);
   }
   mark(place, stretch = []) {
     this.marks.show(place, stretch);
@@ -3159,93 +3432,36 @@ var Viewer = class {
     this.tree.update();
     this.changed(true, true);
   }
-  edit(row2, change2) {
-    this.rows = this.rows.map((plane, i) => i === row2 ? change2(plane) : plane);
-  }
-  grabRow(x, y) {
-    const row2 = this.picture.rowAt(x, y, this.rows);
-    if (row2 >= 0 && row2 !== this.chosenRow) this.chooseRow(row2);
-  }
-  dragRow(x, y) {
-    this.edit(this.chosenRow, (plane) => dragged(plane, this.eye, x, y));
-  }
-  moveRow(move, amount, isOver = true) {
-    this.edit(this.chosenRow, (plane) => afterMove(plane, move, amount));
-    this.changed(false, isOver);
-  }
-  change(row2, plane) {
-    this.edit(row2, () => plane);
-    this.changed(false, true);
-  }
-  nextRow() {
-    this.chooseRow((this.chosenRow + 1) % Math.max(this.rows.length, 1));
-  }
-  chooseRow(row2) {
-    this.chosenRow = row2;
-    showLamps(this);
-    this.gizmo.show(this.rows[row2], this.eye);
-  }
-  setRig(rig) {
-    this.rows = rig.planes;
-    this.chooseRow(0);
-    this.changed(false, true);
-  }
   choose(stated) {
     this.stated = stated;
     this.showLooks();
-    if (stated.look === "curvature") this.measure();
+    if (stated.look === "curvature") this.picture.measure();
     this.changed(false, true);
   }
   chooseLook(look) {
     this.choose({ ...this.stated, look });
   }
-  views() {
-    const { facts: facts2 } = this, shown2 = facts2.views.filter(({ name }) => shownViews.includes(name));
-    return [{ name: "opened", camera: facts2.camera }, ...facts2.own_views, ...shown2].map(({ name, camera }) => ({ name, show: () => this.lookFrom(camera) }));
-  }
   showLooks() {
-    const { look, kind } = this.stated;
-    choice(byId("look-buttons"), looks, look, (name) => this.chooseLook(name));
-    byId("curvature-kind").replaceChildren(...look === "curvature" ? [
-      selection("of", curvatureKinds, kind, (name) => this.choose({ look, kind: name }))
-    ] : []);
+    showLooks(this.stated, (look) => this.choose(look));
   }
-  showPanel() {
-    this.showLooks();
-    byId("views").replaceChildren(
-      ...this.views().map(({ name, show }) => button(name, show)),
-      button("save view", () => download("view.toml", new Blob([viewText(this.eye)])))
-    );
-    showLamps(this);
-    lampButtons(this);
-    seamsPanel(byId("seams"), this);
-    faultsPanel(byId("faults"), this);
-    comparePanel(byId("compare"), this, this.canvas);
-    byId("page").replaceChildren(
-      button("picture", () => void this.savePicture()),
-      button("copy link", () => void copyLink(this.state(), (line) => this.tell(line))),
-      button("keys", () => showKeys(this)),
-      selection("mouse", mouseStyles, this.mouse, (style) => this.setStyle(style)),
-      selection("colours", ["light dark", "light", "dark"], localStorage.getItem("colours") ?? "light dark", showInColours)
-    );
-    showFacts(this.facts);
+  views() {
+    return namedViews(this.facts).map(({ name, camera }) => ({ name, show: () => this.lookFrom(camera) }));
   }
   setStyle(style) {
     this.mouse = style;
     localStorage.setItem("mouse", style);
     this.tell(mouseHelp[style]);
   }
-  /** The exact picture, or that of another look, as a file. */
-  async savePicture() {
+  copyLink() {
+    void copyLink(this.state(), (line) => this.tell(line));
+  }
+  savePicture() {
     const isLamps = this.stated.look === "lamps";
-    try {
-      this.tell("making the picture");
-      const picture = isLamps ? await this.exact.file(this.pictured()) : await new Promise((use) => this.canvas.toBlob((blob) => use(blob)));
-      savePicture(picture, this.facts, this.display(), this.eye);
+    this.tell("making the picture");
+    this.picture.file().then((bytes2) => {
+      savePicture(bytes2, this.facts, this.display(), this.eye);
       if (!isLamps) this.tell("");
-    } catch (error) {
-      this.fail(error);
-    }
+    }).catch((error) => this.fail(error));
   }
   tell(line) {
     byId("state").textContent = line;

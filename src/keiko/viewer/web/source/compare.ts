@@ -32,7 +32,7 @@ class Earlier {
     if (wasShown || way === "new") return;
     const facts: Facts = await (await ask("GET", "/against/scene")).json();
     const picture = this.picture ??= new Picture(this.canvas, facts);
-    this.tracing ??= new Tracing(facts.reflections, (camera) => picture.bufferFor(camera), (buffer) => {
+    this.tracing ??= new Tracing(facts.reflections, (camera, spent) => picture.bufferFor(camera, spent), (buffer) => {
       picture.show(buffer);
       this.draw(this.host.display());
     }, { path: "/against/deep" });

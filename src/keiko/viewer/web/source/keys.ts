@@ -2,15 +2,11 @@ import { Key, showDialog } from "./help";
 import { mouseHelp } from "./mouse";
 import { Look } from "./picture";
 import { act, PointerHost } from "./pointer";
-import { RowMove } from "./row_moves";
 
 /** What keys do to the page besides what the mouse does. */
 export interface KeyHost extends PointerHost {
   views(): { name: string; show: () => void }[];
   chooseLook(look: Look): void;
-  nextRow(): void;
-  /** Moves the chosen row by mm, or degrees. */
-  moveRow(move: RowMove, amount: number): void;
   savePicture(): void;
 }
 
@@ -27,11 +23,11 @@ function keysOf(host: KeyHost): Key[] {
   return [
     ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => host.chooseLook(look) })),
     ...host.views().map(({ name, show }, i) => ({ key: String(i), words: `view: ${name}`, act: show })),
-    { key: "n", words: "the next row of lamps", act: () => host.nextRow() },
-    { key: "+", words: "row 50 mm along its normal", act: () => host.moveRow("normal", step) },
-    { key: "-", words: "row 50 mm back", act: () => host.moveRow("normal", -step) },
-    { key: "[", words: "turn the row by 2 degrees", act: () => host.moveRow("turn", angle) },
-    { key: "]", words: "turn the row back", act: () => host.moveRow("turn", -angle) },
+    { key: "n", words: "the next row of lamps", act: () => host.lamps.next() },
+    { key: "+", words: "row 50 mm along its normal", act: () => host.lamps.move("normal", step) },
+    { key: "-", words: "row 50 mm back", act: () => host.lamps.move("normal", -step) },
+    { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
+    { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
     { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
     { key: "?", words: "this list", act: () => showKeys(host) },
   ];

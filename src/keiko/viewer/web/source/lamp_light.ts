@@ -51,8 +51,9 @@ export class LampLight {
     this.buffer = buffer;
     this.refined = 0, this.hasEnds = false;
     this.rows = planes.slice(0, this.order.length).map((plane, i) => {
-      const frame = new RowFrame(plane), known = isNew ? undefined : this.rows[i];
+      const frame = new RowFrame(plane), known = this.rows[i];
       if (!known) return this.litRow(frame);
+      if (isNew) known.first.restart(buffer.first), known.later.restart(buffer.later), known.bends = new Float32Array(0);
       if (plane === this.planes[i]) return known;
       if (!frame.hasPlaneOf(known.frame)) known.bends.fill(-1);
       known.first.set(frame), known.later.set(frame);
@@ -66,7 +67,7 @@ export class LampLight {
     const buffer = this.buffer!;
     return {
       frame, first: new RowCoverage(buffer.first, null, frame),
-      later: new RowCoverage(buffer.later, () => buffer.pathOfLater, frame), bends: new Float32Array(0), level: 0,
+      later: new RowCoverage(buffer.later, () => this.buffer!.pathOfLater, frame), bends: new Float32Array(0), level: 0,
     };
   }
 

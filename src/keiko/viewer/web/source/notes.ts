@@ -28,7 +28,7 @@ export class Notes {
     this.marks.show(notes.length > 0);
     this.into.replaceChildren(notes.length > 0
       ? element("ol", notes.map((note) => this.entry(note)))
-      : element("p", "Click on the body and write one under Place.", { className: "soft" }));
+      : element("p", "Click on the body and write one beside it.", { className: "soft" }));
   }
 
   add(note: Note): void {

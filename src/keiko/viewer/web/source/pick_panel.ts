@@ -1,9 +1,8 @@
 import { Note } from "./analysis";
-import { rayOf } from "./camera";
 import { Facts } from "./facts";
 import { button, byId, element, showPairs } from "./panel";
-import { Picture } from "./picture";
-import { scaled, sum, Vector } from "./vector";
+import { Picked } from "./picture";
+import { cross, difference, dot, length, Vector } from "./vector";
 
 const numbers = (v: readonly number[], digits: number): string => v.map((n) => n.toFixed(digits)).join(", ");
 
@@ -26,22 +25,24 @@ function radiusText(radius: number): string {
   return `${size.toFixed(digits)} mm ${radius > 0 ? "hollow" : "crowned"}`;
 }
 
-/** Shows what is known of the surface at a pixel of the picture, and returns the place. `add` gets a note that is written on it. */
-export function showPlace(picture: Picture, facts: Facts, x: number, y: number, add: (note: Note) => void): Vector | null {
-  const at = picture.pick(x, y);
+/** Distance and angle between two places in words. */
+function apartText(a: Picked, b: Picked): string {
+  const angle = Math.atan2(length(cross(a.normal, b.normal)), dot(a.normal, b.normal)) * 180 / Math.PI;
+  return `${length(difference(b.place, a.place)).toFixed(3)} mm, normals ${angle.toFixed(3)}° apart`;
+}
+
+/** Shows what is known of a picked surface, and how far it is from the one before; `add` gets a note that is written on it. */
+export function showPlace(at: Picked | null, before: Picked | null, facts: Facts, add: (note: Note) => void): void {
   byId("note").replaceChildren();
-  if (!at) {
-    showPairs(byId("pick"), [["nothing", ""]]);
-    return null;
-  }
-  const { origin, direction } = rayOf(picture.surfaces!.camera, x + 0.5, y + 0.5), place = sum(origin, scaled(direction, at.t));
+  if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
   const face = at.face > 0 ? facts.faces[at.face - 1] : null;
   showPairs(byId("pick"), [
     ["face", face ? `${face.id} ${face.name}` : "ground"],
-    ["place", `${numbers(place, 2)} mm`],
+    ["place", `${numbers(at.place, 2)} mm`],
+    ["rounding", `${at.rounding.toPrecision(1)} mm`],
     ["normal", numbers(at.normal, 4)],
     ["radii", at.radii.map(radiusText).join(", ")],
+    ...before ? [["from the last", apartText(before, at)] as [string, string]] : [],
   ]);
-  if (face) byId("note").replaceChildren(noteField(place, face.id, add));
-  return place;
+  if (face) byId("note").replaceChildren(noteField(at.place, face.id, add));
 }

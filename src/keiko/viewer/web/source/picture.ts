@@ -1,4 +1,4 @@
-import { Camera } from "./camera";
+import { Camera, rayOf } from "./camera";
 import { Facts, Plane } from "./facts";
 import { Mirrors } from "./fresnel";
 import { LampLight } from "./lamp_light";
@@ -7,7 +7,7 @@ import { CurvatureKind } from "./look_words";
 import { rayNumbers } from "./ray";
 import { RowFrame } from "./row_frame";
 import { SurfaceBuffer } from "./surface_buffer";
-import { Vector } from "./vector";
+import { scaled, sum, Vector } from "./vector";
 
 export const looks = ["lamps", ...surfaceLooks] as const;
 export type Look = "lamps" | SurfaceLook;
@@ -22,7 +22,13 @@ export interface Display {
 }
 
 /** A surface at a pixel's centre. */
-export interface Picked { t: number; normal: Vector; radii: [number, number]; face: number }
+export interface Picked {
+  place: Vector;
+  rounding: number; // mm, bound for the place: the deep buffer has single precision
+  normal: Vector;
+  radii: [number, number];
+  face: number;
+}
 
 const srgb = (c: number): number => c <= 0.0031308 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055;
 
@@ -50,14 +56,9 @@ export class Picture {
     this.lamps = new LampLight(facts);
   }
 
-  /** The surfaces in hand. */
-  get surfaces(): SurfaceBuffer | null {
-    return this.buffer;
-  }
-
-  /** An empty buffer for a camera's picture. */
-  bufferFor(camera: Camera): SurfaceBuffer {
-    return new SurfaceBuffer(camera, this.mirrors);
+  /** An empty buffer for a camera's picture, in the memory of one that is not used any more. */
+  bufferFor(camera: Camera, spent: SurfaceBuffer | null = null): SurfaceBuffer {
+    return new SurfaceBuffer(camera, this.mirrors, spent);
   }
 
   /** Takes the buffer that is shown from now on. */
@@ -115,12 +116,24 @@ export class Picture {
 
   /** The nearest row of lamps whose plane the first reflection at a pixel meets; -1 without one. */
   rowAt(x: number, y: number, planes: Plane[]): number {
-    const path = this.pathAt(x, y), ray = this.buffer?.first.numbers, at = rayNumbers * path;
-    if (!ray || path < 0) return -1;
-    const origin: Vector = [ray[at], ray[at + 1], ray[at + 2]], direction: Vector = [ray[at + 3], ray[at + 4], ray[at + 5]];
-    const distances = planes.map((plane) => new RowFrame(plane).distanceTo(origin, direction));
+    const ray = this.reflectionAt(x, y);
+    if (!ray) return -1;
+    const distances = planes.map((plane) => new RowFrame(plane).distanceTo(ray.origin, ray.direction));
     const nearest = Math.min(...distances);
     return nearest < Infinity ? distances.indexOf(nearest) : -1;
+  }
+
+  /** Where the first reflection at a pixel meets the plane of a row, even beyond its lamps; null if it does not. */
+  mirroredOn(x: number, y: number, plane: Plane): Vector | null {
+    const ray = this.reflectionAt(x, y), away = ray ? new RowFrame(plane).distanceToPlane(ray.origin, ray.direction) : -1;
+    return ray && away > 0 ? sum(ray.origin, scaled(ray.direction, away)) : null;
+  }
+
+  /** The first reflected ray at a pixel. */
+  private reflectionAt(x: number, y: number): { origin: Vector; direction: Vector } | null {
+    const path = this.pathAt(x, y), ray = this.buffer?.first.numbers, at = rayNumbers * path;
+    if (!ray || path < 0) return null;
+    return { origin: [ray[at], ray[at + 1], ray[at + 2]], direction: [ray[at + 3], ray[at + 4], ray[at + 5]] };
   }
 
   /** The surface at a pixel, if there is one. */
@@ -128,7 +141,10 @@ export class Picture {
     const { buffer } = this, path = this.pathAt(x, y);
     if (!buffer || path < 0) return null;
     const { t, normal, face, principal: [k1, k2] } = buffer.surfaceOf(path);
-    return { t, normal: [...normal] as Vector, radii: [1 / k1, 1 / k2], face };
+    const { origin, direction } = rayOf(buffer.camera, x + 0.5, y + 0.5);
+    return {
+      place: sum(origin, scaled(direction, t)), rounding: t * 2 ** -24, normal: [...normal] as Vector, radii: [1 / k1, 1 / k2], face,
+    };
   }
 
   private size({ width, height }: Camera): void {

@@ -1,15 +1,13 @@
 import { Camera, dollied, orbited, panned } from "./camera";
+import { LampRows } from "./lamp_rows";
 import { mouseAction, MouseAction, MouseStyle } from "./mouse";
 
 /** What the mouse does to the page. */
 export interface PointerHost {
+  readonly lamps: LampRows;
   camera(): Camera;
   style(): MouseStyle;
   setCamera(camera: Camera): void;
-  /** Chooses the row of lamps that a pixel of the picture mirrors. */
-  grabRow(x: number, y: number): void;
-  /** Moves the chosen row of lamps in its plane, by pixels of the picture. */
-  dragRow(x: number, y: number): void;
   /** Something has moved: the eye, or lamps. `isOver`: no more of this drag will come. */
   changed(isEye: boolean, isOver: boolean): void;
   /** A click on a pixel of the picture. */
@@ -22,7 +20,7 @@ const threshold = 3; // px that a click may move
 /** Does what a drag by pixels of the picture means. */
 export function act(host: PointerHost, action: MouseAction, x: number, y: number): void {
   const camera = host.camera();
-  if (action === "lamps") host.dragRow(x, y);
+  if (action === "lamps") host.lamps.drag(x, y);
   if (action === "pan") host.setCamera(panned(camera, x, y));
   if (action === "zoom") host.setCamera(dollied(camera, Math.exp(y / 200)));
   if (action === "orbit") host.setCamera(orbited(camera, camera.target, -x / 200, -y / 200));
@@ -30,7 +28,7 @@ export function act(host: PointerHost, action: MouseAction, x: number, y: number
 
 /** The mouse on the picture: drags, clicks and the wheel. */
 export class Pointer {
-  private drag: { x: number; y: number; action: MouseAction; moved: boolean } | null = null;
+  private drag: { x: number; y: number; pixel: [number, number]; action: MouseAction; moved: boolean } | null = null;
   private timer = 0;
 
   constructor(private readonly canvas: HTMLCanvasElement, private readonly host: PointerHost) {
@@ -50,8 +48,8 @@ export class Pointer {
   private press(event: PointerEvent): void {
     const { canvas, host } = this, action = mouseAction(host.style(), event);
     canvas.setPointerCapture(event.pointerId);
-    if (action === "lamps") host.grabRow(...this.pixel(event));
-    this.drag = { x: event.clientX, y: event.clientY, action, moved: false };
+    if (action === "lamps") host.lamps.grab(...this.pixel(event));
+    this.drag = { x: event.clientX, y: event.clientY, pixel: this.pixel(event), action, moved: false };
   }
 
   private move(event: PointerEvent): void {
@@ -62,9 +60,10 @@ export class Pointer {
     // A second button changes what CATIA's middle one does.
     if (drag.action !== "lamps") drag.action = mouseAction(host.style(), event);
     if (drag.action === "none") return;
-    Object.assign(drag, { x: event.clientX, y: event.clientY, moved: true });
-    const scale = host.camera().height / this.canvas.clientHeight;
-    act(host, drag.action, x * scale, y * scale);
+    const scale = host.camera().height / this.canvas.clientHeight, pixel = this.pixel(event);
+    if (drag.action === "lamps") host.lamps.follow(drag.pixel, pixel);
+    else act(host, drag.action, x * scale, y * scale);
+    Object.assign(drag, { x: event.clientX, y: event.clientY, pixel, moved: true });
     host.changed(drag.action !== "lamps", false);
   }
 

@@ -1,7 +1,7 @@
 import { rayNumbers } from "./ray";
 
 /** The array, or one of twice the length with its numbers, so that it has `needed`. */
-export function grown<A extends Float32Array | Uint32Array>(array: A, needed: number): A {
+export function grown<A extends Float32Array | Float64Array | Uint32Array>(array: A, needed: number): A {
   if (array.length >= needed) return array;
   const larger = new (array.constructor as new (size: number) => A)(Math.max(needed, 2 * array.length));
   larger.set(array);
@@ -14,6 +14,11 @@ export class RayList {
   numbers = new Float32Array(rayNumbers);
   ways = new Float32Array(1);
   weights = new Float32Array(3);
+
+  /** Takes over the memory of a list that is not used any more. */
+  takeOver(spent: RayList): void {
+    ({ numbers: this.numbers, ways: this.ways, weights: this.weights } = spent);
+  }
 
   /** Makes room for so many rays. */
   reserve(count: number): void {

@@ -3,8 +3,8 @@ import { PathSet } from "./path_set";
 import { rayNumbers } from "./ray";
 import { grown, RayList } from "./ray_list";
 import { RowFrame } from "./row_frame";
-import { coverage, imageNumbers, isAtEnd, project } from "./row_image";
-import { difference, dot } from "./vector";
+import { coverage, imageNumbers, isAtEnd, project, steadiness } from "./row_image";
+import { difference, dot, length } from "./vector";
 
 /** What a row covers of the pixels of a list of rays, kept until row or rays change. */
 export class RowCoverage {
@@ -14,18 +14,29 @@ export class RowCoverage {
   private metCount = 0;
   private projected = 0;
   private isCurrent = false;
+  private travel = 0; // mm that the row has moved in its plane
+  private until = new Float64Array(1); // by ray: the travel up to which `covered` is right
   private base: RowFrame; // on whose plane the images are
   private du = 0;
   private dv = 0;
 
   /** `pathOf`: paths by ray; null: a ray's number is that of its path. */
-  constructor(private readonly rays: RayList, private readonly pathOf: (() => Uint32Array) | null, private row: RowFrame) {
+  constructor(private rays: RayList, private readonly pathOf: (() => Uint32Array) | null, private row: RowFrame) {
     this.base = row;
+  }
+
+  /** Takes other rays, of which nothing is known. */
+  restart(rays: RayList): void {
+    this.rays = rays, this.base = this.row;
+    this.projected = this.metCount = this.du = this.dv = 0;
+    this.covered.fill(0);
   }
 
   /** Takes the row as it is now. One that moved in its plane, or has other lamps, needs no new images. */
   set(row: RowFrame): void {
     if (!row.hasPlaneOf(this.base) || row.isRound !== this.base.isRound) this.base = row, this.projected = this.metCount = 0;
+    if (row.hasLampsOf(this.row)) this.travel += length(difference(row.origin, this.row.origin));
+    else this.until.fill(0);
     this.row = row;
     this.isCurrent = false;
     const step = difference(row.origin, this.base.origin);
@@ -43,6 +54,7 @@ export class RowCoverage {
     this.images = grown(this.images, imageNumbers * this.rays.count);
     this.covered = grown(this.covered, this.rays.count);
     this.met = grown(this.met, this.rays.count);
+    this.until = grown(this.until, this.rays.count);
     const pathOf = this.pathOf?.() ?? null;
     this.projectAll(changed, pathOf);
     this.coverAll(changed, pathOf);
@@ -50,9 +62,10 @@ export class RowCoverage {
   }
 
   private projectAll(changed: PathSet, pathOf: Uint32Array | null): void {
-    const { rays: { numbers, ways, count }, row, images, covered, met } = this;
+    const { rays: { numbers, ways, count }, row, images, covered, met, until } = this;
     for (let i = this.projected; i < count; ++i) {
       project(row, numbers, rayNumbers * i, images, imageNumbers * i);
+      until[i] = 0;
       const t = images[imageNumbers * i];
       if (t > 0 && t <= ways[i]) met[this.metCount++] = i;
       else if (covered[i] > 0) covered[i] = 0, changed.add(pathOf ? pathOf[i] : i);
@@ -61,20 +74,24 @@ export class RowCoverage {
   }
 
   private coverAll(changed: PathSet, pathOf: Uint32Array | null): void {
-    const { row, images, covered, met, metCount, du, dv } = this;
+    const { row, images, covered, met, metCount, du, dv, until, travel } = this;
     for (let k = 0; k < metCount; ++k) {
-      const i = met[k], c = Math.fround(coverage(row, images, imageNumbers * i, du, dv));
+      const i = met[k];
+      if (travel < until[i]) continue;
+      until[i] = travel + steadiness(row, images, imageNumbers * i, du, dv);
+      const c = Math.fround(coverage(row, images, imageNumbers * i, du, dv));
       if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
     }
   }
 
   /** Makes `covered` exact at the ends of lamps. */
   finish(changed: PathSet): void {
-    const { rays: { numbers }, row, images, covered, met, metCount, du, dv } = this, pathOf = this.pathOf?.() ?? null;
+    const { rays: { numbers }, row, images, covered, met, metCount, du, dv, until } = this, pathOf = this.pathOf?.() ?? null;
     for (let k = 0; k < metCount; ++k) {
       const i = met[k];
       if (!isAtEnd(row, images, imageNumbers * i, du, dv)) continue;
       const c = Math.fround(endCoverage(row, numbers, rayNumbers * i));
+      until[i] = 0;
       if (c !== covered[i]) covered[i] = c, changed.add(pathOf ? pathOf[i] : i);
     }
   }

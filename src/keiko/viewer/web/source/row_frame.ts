@@ -32,13 +32,24 @@ export class RowFrame {
     this.luminance = plane.luminance;
   }
 
+  /** The way of a ray to the row's plane, mm; negative or not a number if it does not come there. */
+  distanceToPlane(origin: Vector, direction: Vector): number {
+    return dot(this.normal, difference(this.origin, origin)) / dot(this.normal, direction);
+  }
+
   /** The way of a ray to the rectangle between the plane's corners, mm; Infinity if it misses it. */
   distanceTo(origin: Vector, direction: Vector): number {
-    const away = dot(this.normal, difference(this.origin, origin)) / dot(this.normal, direction);
+    const away = this.distanceToPlane(origin, direction);
     if (!(away > 0)) return Infinity;
     const at = difference(sum(origin, scaled(direction, away)), this.origin), along = dot(at, this.u), across = dot(at, this.v);
     const room = this.diameter / 2;
     return along >= 0 && along <= this.length && across >= this.first - room && across <= this.last + room ? away : Infinity;
+  }
+
+  /** True if the other row has as many lamps, as thick and as far apart, of the same length. */
+  hasLampsOf(other: RowFrame): boolean {
+    return this.lamps === other.lamps && this.pitch === other.pitch && this.diameter === other.diameter
+      && this.length === other.length && this.first === other.first && this.isRound === other.isRound;
   }
 
   /** True if images of rays on the other's plane are those on this one but for an offset. */

@@ -1,5 +1,5 @@
 import { RowFrame } from "./row_frame";
-import { stripeCoverage } from "./stripe_coverage";
+import { offAxis, stripeCoverage } from "./stripe_coverage";
 
 // The image of a ray's pixel on the plane of a row is nine numbers, lengths in mm. The first three are t where the ray
 // meets the plane, 0 if it does not, and u and v there. Then come the apparent over the true width of the tubes, and
@@ -51,6 +51,22 @@ export function coverage(row: RowFrame, image: Float32Array, from: number, du: n
   return strips * Math.max(Math.min(u + reach, row.length) - Math.max(u - reach, 0), 0) / (2 * reach);
 }
 
+/**
+ * How far, mm, the row may move in its plane until `coverage` of a pixel may be another: 0 where it is neither all nor
+ * nothing, else at most the distance to the nearest edge of a lamp.
+ */
+export function steadiness(row: RowFrame, image: Float32Array, from: number, du: number, dv: number): number {
+  const u = image[from + 1] - du, half = 0.5 * row.diameter * image[from + 3];
+  const reach = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row.diameter);
+  const beyond = Math.max(-room - u - reach, u - reach - row.length - room);
+  if (beyond >= 0) return beyond;
+  const wide = image[from + 5], { pitch, lamps } = row;
+  if (wide > 4 * pitch || 2 * half >= pitch || lamps === 0) return 0;
+  const spread = 0.5 * (wide + image[from + 6]), off = Math.abs(offAxis(row, image[from + 2] - dv));
+  if (off - half >= spread) return off - half - spread;
+  return Math.max(Math.min(half - off - spread, u - reach, row.length - u - reach), 0);
+}
+
 /** True if an end of lamps may change what a pixel shows: `endCoverage` is exact there. */
 export function isAtEnd(row: RowFrame, image: Float32Array, from: number, du: number, dv: number): boolean {
   const u = image[from + 1] - du, v = image[from + 2] - dv;
@@ -68,8 +84,7 @@ function widened(image: Float32Array, from: number, length: number): number {
 /** True for images between lamps or beside the row, regardless of the lamps' ends. */
 function isInGap(row: RowFrame, image: Float32Array, from: number, v: number, width: number): boolean {
   const least = image[from + 8], reach = 0.5 * (image[from + 5] + image[from + 6]);
-  const lamp = Math.min(Math.max(Math.round((v - row.first) / row.pitch), 0), row.lamps - 1);
-  const isAway = least > 0 && least * Math.abs(v - row.first - lamp * row.pitch) > 0.5 * width + reach;
+  const isAway = least > 0 && least * Math.abs(offAxis(row, v)) > 0.5 * width + reach;
   return isAway && (v < row.first || v > row.last || reach < 0.5 * least * row.pitch);
 }
 
@@ -85,7 +100,7 @@ export function mayHoldEdge(row: RowFrame, image: Float32Array, from: number, [d
   const u = image[from + 1] - du, along = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row.diameter) + off;
   if (u + along <= 0 || u - along >= row.length) return false;
   const away = image[from + 2] - dv - row.first, half = 0.5 * row.diameter * image[from + 3];
-  const lamp = Math.min(Math.max(Math.round(away / row.pitch), 0), row.lamps - 1), axis = Math.abs(away - lamp * row.pitch);
+  const axis = Math.abs(offAxis(row, image[from + 2] - dv));
   const spread = widened(image, from, 0.5 * (image[from + 5] + image[from + 6])) + off;
   const isBeside = axis - spread >= half && (away < 0 || away > row.last - row.first || axis + spread <= row.pitch - half);
   if (isBeside) return false;

@@ -24,11 +24,16 @@ export function mmOfPixel(camera: Camera): number {
   return pixelSize(camera) * (camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye)));
 }
 
+/** The row moved by what a step has within its plane. */
+export function movedWithin(plane: Plane, step: Vector): Plane {
+  const { along, across } = rowAxes(plane);
+  return moved(plane, sum(scaled(along, dot(step, along)), scaled(across, dot(step, across))));
+}
+
 /** The row after a drag of the picture by pixels, within its plane. */
 export function dragged(plane: Plane, camera: Camera, x: number, y: number): Plane {
-  const { right, up } = axesOf(camera), { along, across } = rowAxes(plane);
-  const way = scaled(sum(scaled(right, x), scaled(up, -y)), mmOfPixel(camera));
-  return moved(plane, sum(scaled(along, dot(way, along)), scaled(across, dot(way, across))));
+  const { right, up } = axesOf(camera);
+  return movedWithin(plane, scaled(sum(scaled(right, x), scaled(up, -y)), mmOfPixel(camera)));
 }
 
 /** The row after a move by mm, or for turns by degrees. */

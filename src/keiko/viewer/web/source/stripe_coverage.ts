@@ -17,6 +17,12 @@ export function share(wide: number, narrow: number, begin: number, end: number):
   return Math.max(below(w, n, end) - below(w, n, begin), 0);
 }
 
+/** mm from the axis of the nearest lamp to a place across the row. */
+export function offAxis({ first, pitch, lamps }: RowFrame, v: number): number {
+  const away = v - first;
+  return away - pitch * Math.min(Math.max(Math.round(away / pitch), 0), lamps - 1);
+}
+
 /** Share of a pixel's image around v on the row's strips of a width; the formulas of light/tubes/stripe_coverage. */
 export function stripeCoverage(row: RowFrame, width: number, v: number, wide: number, narrow: number): number {
   const { pitch, lamps, first, last } = row;
@@ -28,7 +34,7 @@ export function stripeCoverage(row: RowFrame, width: number, v: number, wide: nu
   const half = 0.5 * width;
   if (!(width < pitch)) return share(wide, narrow, first - half - v, last + half - v);
   const spread = 0.5 * (wide + narrow), reach = spread + half, away = v - first;
-  const off = Math.abs(away - pitch * Math.min(Math.max(Math.round(away / pitch), 0), lamps - 1)); // from the nearest axis
+  const off = Math.abs(offAxis(row, v));
   if (off >= reach) return 0;
   if (off + spread <= half) return 1;
   const end = Math.min(Math.floor((away + reach) / pitch), lamps - 1);

@@ -29,12 +29,20 @@ export class SurfaceBuffer {
   private readonly surface = new Surface();
   private joins: Uint8Array | null = null; // by pixel: 1 right, 2 down
 
-  constructor(readonly camera: Camera, private readonly mirrors: Mirrors) {
-    const { width, height } = camera;
-    this.samples = new Float32Array(numbersOfSample * width * height);
-    this.pathOf = new Int32Array(width * height).fill(-1);
+  /** `spent`: a buffer whose memory it may take over, since nobody uses that one any more. */
+  constructor(readonly camera: Camera, private readonly mirrors: Mirrors, spent: SurfaceBuffer | null = null) {
+    const size = camera.width * camera.height, isSame = spent?.pathOf.length === size;
+    this.samples = isSame ? spent!.samples : new Float32Array(numbersOfSample * size);
+    this.pathOf = (isSame ? spent!.pathOf : new Int32Array(size)).fill(-1);
+    if (spent) this.takeOver(spent);
     this.rays = new CameraRays(camera);
-    this.rowStep = height;
+    this.rowStep = camera.height;
+  }
+
+  private takeOver(spent: SurfaceBuffer): void {
+    this.first.takeOver(spent.first), this.later.takeOver(spent.later);
+    this.pixels = spent.pixels, this.normals = spent.normals, this.pathOfLater = spent.pathOfLater;
+    this.laterCounts = spent.laterCounts, this.laterFirst = spent.laterFirst;
   }
 
   get paths(): number {

@@ -1,6 +1,6 @@
 import { Camera, sized } from "./camera";
 import { readPasses } from "./deep_buffer";
-import { reprojected } from "./reprojection";
+import { Reprojection } from "./reprojection";
 import { ask, hiddenText, requestText } from "./server";
 import { SurfaceBuffer } from "./surface_buffer";
 
@@ -10,16 +10,25 @@ export interface Traced {
   hidden?: () => number[];  // faces that are left out
 }
 
+/** An empty buffer, in the memory of one that is not used any more. */
+type BufferFor = (camera: Camera, spent?: SurfaceBuffer | null) => SurfaceBuffer;
+
+const longest = 28, short = 20; // ms of a frame: coarser previews above, finer ones if they take less
+
 /** Fetches the surfaces that an eye sees: small drafts while it moves, all of them at rest. */
 export class Tracing {
   /** The last surfaces that came from the server. */
   private source: SurfaceBuffer | null = null;
   private own = new AbortController();
   private isDrafting = false;
-  private wanted: Camera | null = null;
+  private wanted: Camera | null = null; // of a draft
+  private eye: Camera | null = null;    // that moves
+  private readonly reprojection = new Reprojection();
+  private previewed: SurfaceBuffer | null = null;
+  private coarseness = 2; // pixels of the window to one of a preview
 
   /** `reflections`: most of them that are followed; `show` gets surfaces, which may become more. */
-  constructor(private readonly reflections: number, private readonly bufferFor: (camera: Camera) => SurfaceBuffer,
+  constructor(private readonly reflections: number, private readonly bufferFor: BufferFor,
     private readonly show: (buffer: SurfaceBuffer) => void, private readonly traced: Traced = {}) {}
 
   /** Fetches all surfaces, coarse rows first; false if a later call ended this one. */
@@ -37,9 +46,9 @@ export class Tracing {
 
   /** Shows the surfaces in hand from an eye that moves, and fetches a draft of what it sees. */
   async move(camera: Camera): Promise<void> {
-    const draft = sized(camera, camera.width >> 1, camera.height >> 1);
     if (!this.isDrafting) this.own.abort();
-    this.wanted = draft;
+    this.eye = camera;
+    this.wanted = sized(camera, camera.width >> 1, camera.height >> 1);
     this.preview();
     if (this.isDrafting) return;
     this.isDrafting = true;
@@ -55,14 +64,21 @@ export class Tracing {
     await this.fetch(buffer, false, own.signal, () => { this.source = buffer; });
     if (own.signal.aborted) return;
     if (this.wanted === camera) this.wanted = null, this.show(buffer);
-    else this.preview();
   }
 
   private preview(): void {
-    if (!this.source || !this.wanted) return;
-    const buffer = this.bufferFor(this.wanted);
-    buffer.add(reprojected(this.source, this.wanted));
+    if (!this.source || !this.eye) return;
+    const { eye, coarseness } = this, camera = sized(eye, Math.ceil(eye.width / coarseness), Math.ceil(eye.height / coarseness));
+    const buffer = this.previewed = this.bufferFor(camera, this.previewed);
+    buffer.add(this.reprojection.pass(this.source, camera));
     this.show(buffer);
+  }
+
+  /** Takes the milliseconds of the last frame of a moving eye: the next previews are as fine as the time allows. */
+  pace(milliseconds: number): void {
+    const finer = this.coarseness - 1;
+    if (milliseconds > longest) this.coarseness = Math.min(this.coarseness + 1, 4);
+    else if (finer >= 2 && milliseconds * (this.coarseness / finer) ** 2 < short) this.coarseness = finer;
   }
 
   private async fetch(buffer: SurfaceBuffer, isInterlaced: boolean, signal: AbortSignal, use: () => void): Promise<void> {

@@ -1,0 +1,183 @@
+#include "keiko/batch/run_parts.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
+#include "keiko/base/output_file.h"
+#include "keiko/base/sha256.h"
+#include "keiko/batch/balanced_shards.h"
+#include "keiko/batch/part_names.h"
+#include "keiko/batch/whole_run.h"
+#include "keiko/workflow/version.h"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <system_error>
+
+namespace keiko {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* record_file = "parts.json";
+constexpr const char* part_file = "part.json";
+constexpr std::array report_names{record_file, "junit.xml", "index.html"};
+
+std::string key_of(const fs::path& model, const PartsOptions& options) {
+    std::vector<fs::path> inputs = options.files;
+    inputs.push_back(model);
+    const std::string settings = options.command + "\n" + model.string() + "\n" + options.settings;
+    try {
+        return input_key(inputs, model.parent_path(), options.load, settings);
+    } catch (const Error& error) { // it will be the part's outcome
+        return sha256_hex(settings + error.what());
+    }
+}
+
+ShardPlan plan_of(const PartsOptions& options) {
+    const std::vector<std::string> names = part_names(options.models);
+    std::vector<PlannedPart> parts;
+    std::vector<double> costs;
+    std::string text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        parts.push_back({names[i], key_of(options.models[i], options)});
+        costs.push_back(body_cost({&options.models[i], 1}));
+        text += names[i] + " " + parts.back().key + "\n";
+    }
+    return balanced_plan(options.command, sha256_hex(text), std::move(parts), costs,
+                         options.shard.count);
+}
+
+/// Outcome that an earlier run has kept; one without a name where there is none, or one of other
+/// inputs, or a damaged one.
+PartOutcome kept_outcome(const fs::path& folder, const std::string& key) {
+    const fs::path file = folder / part_file;
+    std::error_code ignored; // what cannot be read is made anew
+    if (!fs::exists(file, ignored)) return {};
+    try {
+        return parse_part(read_file(file), key, file.string());
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+/// Keeps the results of a part, in place of those that are there.
+void keep(PartResult result, const PartOutcome& outcome, const std::string& key,
+          const fs::path& folder) {
+    result.files[part_file] = part_json(outcome, key);
+    // Another copy of this task may be writing the same.
+    const FolderLock lock(folder.parent_path(), std::chrono::minutes(1));
+    write_folder_atomically(folder, result.files);
+}
+
+PartOutcome outcome_of(const PlannedPart& part, const fs::path& model, const PartsOptions& options,
+                       const JudgePart& judge, const Job& job) {
+    const fs::path folder = options.output / part_folder(part.name);
+    if (PartOutcome kept = kept_outcome(folder, part.key); kept.name == part.name) return kept;
+    try {
+        PartResult result = judge(model, folder, job);
+        if (key_of(model, options) != part.key)
+            throw Error(model.string(), "", "was changed while it was judged; run it again");
+        PartOutcome outcome{part.name, model.string(), result.state, result.summary, result.page};
+        keep(std::move(result), outcome, part.key, folder);
+        return outcome;
+    } catch (const Cancelled&) {
+        throw;
+    } catch (const std::exception& error) {
+        return {part.name, model.string(), PartState::error, error.what()};
+    }
+}
+
+std::vector<std::string> names_of(const ShardPlan& plan) {
+    std::vector<std::string> names;
+    for (const PlannedPart& part : plan.parts) names.push_back(part.name);
+    return names;
+}
+
+/// Indices of the parts of a shard.
+std::vector<std::size_t> share_of(const ShardPlan& plan, int shard) {
+    std::vector<std::size_t> share;
+    for (std::size_t i = 0; i < plan.parts.size(); ++i)
+        if (plan.parts[i].shard == shard) share.push_back(i);
+    return share;
+}
+
+} // namespace
+
+PartsRun run_parts(const PartsOptions& options, const JudgePart& judge, const Job& job) {
+    const ShardPlan plan = plan_of(options);
+    claim_shard(options.output, plan, options.shard.number);
+    const fs::path folder = shard_folder(options.output, options.shard.number);
+    std::error_code ignored; // what cannot be removed shows when it is written
+    fs::remove(folder / record_file, ignored);
+    PartsRun run{.command = options.command,
+                 .tool_version = plan.tool_version,
+                 .key = plan.key,
+                 .shard = options.shard.number,
+                 .shards = options.shard.count,
+                 .all = names_of(plan)};
+    const std::vector<std::size_t> share = share_of(plan, options.shard.number);
+    for (std::size_t i = 0; i < share.size(); ++i) {
+        job.check();
+        const PlannedPart& part = plan.parts[share[i]];
+        run.parts.push_back(outcome_of(part, options.models[share[i]], options, judge,
+                                       job_of_part(job, i, share.size(), part.name)));
+    }
+    require_claimed(options.output, plan);
+    write_text_file(folder / record_file, parts_json(run));
+    return run;
+}
+
+namespace {
+
+ShardRecord record_of(const PartsRun& shard, const fs::path& folder) {
+    ShardRecord record{
+        folder, {shard.shard, shard.shards}, shard.tool_version, shard.key, shard.all, {}};
+    for (const PartOutcome& part : shard.parts) record.done.push_back(part.name);
+    return record;
+}
+
+/// The run that was divided.
+PartsRun joined(std::vector<PartsRun> shards) {
+    std::map<std::string, PartOutcome> outcomes;
+    for (PartsRun& shard : shards)
+        for (PartOutcome& part : shard.parts) outcomes.emplace(part.name, std::move(part));
+    PartsRun merged = std::move(shards.front());
+    merged.shard = merged.shards = 1;
+    merged.parts.clear();
+    for (const std::string& name : merged.all) merged.parts.push_back(std::move(outcomes.at(name)));
+    return merged;
+}
+
+/// Removes the reports of an earlier merge, which must not pass for this one's.
+void withdraw_reports(const fs::path& output) {
+    std::error_code ignored; // what cannot be removed shows when it is written
+    for (const char* name : report_names) fs::remove(output / name, ignored);
+}
+
+} // namespace
+
+bool holds_parts(const fs::path& output) {
+    const std::optional<ShardPlan> plan = kept_plan(output);
+    return plan && plan->command != "regress";
+}
+
+PartsRun merge_parts(const fs::path& output) {
+    withdraw_reports(output);
+    const ShardFolders found = shard_folders({&output, 1}, record_file);
+    std::vector<PartsRun> shards;
+    std::vector<ShardRecord> records;
+    for (const fs::path& folder : found.folders) {
+        const fs::path file = folder / record_file;
+        shards.push_back(parse_parts(read_file(file), file.string()));
+        records.push_back(record_of(shards.back(), folder));
+    }
+    require_whole_run(records, found.plan);
+    const PartsRun merged = joined(std::move(shards));
+    const FolderLock lock(output);
+    write_text_file(output / "junit.xml", parts_junit(merged));
+    write_text_file(output / "index.html", parts_html(merged));
+    write_text_file(output / record_file, parts_json(merged));
+    return merged;
+}
+
+} // namespace keiko
