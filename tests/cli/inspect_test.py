@@ -88,7 +88,7 @@ class Inspect(KeikoTest):
     def test_standing_pictures_are_of_the_views_of_the_faults(self):
         report = self.inspect("seam-g1-angle.step")[1]
         items = report["triage"]["items"]
-        views = list(dict.fromkeys(item["view"] for item in items[:7]))
+        views = list(dict.fromkeys(item["view"] for item in items[:7]))[:3]
         self.assertEqual([p["title"] for p in report["standing_pictures"]], views)
         markers = [m["number"] for p in report["standing_pictures"] for m in p["markers"]]
         self.assertEqual(set(markers), set(range(1, len(items) + 1)))

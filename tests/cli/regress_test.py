@@ -249,6 +249,14 @@ class Differences(RegressTest):
         for report in "junit.xml", "index.html", "regression.json":
             self.assertFalse((self.folder / "out" / report).exists())
 
+    def test_a_fixture_that_is_not_there_leaves_no_reports_of_an_earlier_run(self):
+        self.add_fixture("dome")
+        self.accept("dome")
+        self.assertEqual(self.regress().returncode, 0)
+        self.assertEqual(self.regress("--only", "saddle").returncode, 2)
+        for report in "junit.xml", "index.html", "regression.json":
+            self.assertFalse((self.folder / "out" / report).exists())
+
     def test_bytes_do_not_depend_on_threads(self):
         self.add_fixture("dome")
         self.add_fixture("gap", "seam-g0-gap.step")

@@ -452,6 +452,11 @@ class ModuleTest(unittest.TestCase):
         np.testing.assert_array_equal(pickle.loads(pickle.dumps(scene)).trace(rays), self.scene.trace(rays))
         with self.assertRaisesRegex(keiko.Error, "^unit: "):
             keiko.open_scene(model, unit="m")
+        for verb in keiko.check, keiko.info:
+            with self.assertRaisesRegex(keiko.Error, "^axes: "):
+                verb(model, axes="y-up")
+        with self.assertRaisesRegex(keiko.Error, "no file is named"):
+            keiko.load([])
 
     def test_bytes_are_a_model(self):
         model = keiko.load(self.sheets.read_bytes(), name="sheets in memory")

@@ -108,8 +108,12 @@ class Cluster:
         self.environment = {**os.environ, "SLURM_CONF": str(self.folder / "slurm.conf")}
         self.daemons = {}
         self.log = open(self.folder / "daemons.log", "wb")
-        self._configure()
-        self._start()
+        try:
+            self._configure()
+            self._start()
+        except BaseException:
+            self.close()
+            raise
 
     def _configure(self):
         host, ports = socket.gethostname(), free_ports(len(self.nodes) + 1)

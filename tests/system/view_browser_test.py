@@ -433,7 +433,8 @@ class Panel(Page):
         canvas, places = self.browser.find_element(By.ID, "picture"), []
         for x in (-40, 40):
             ActionChains(self.browser).move_to_element_with_offset(canvas, x, 0).click().perform()
-            self.wait_for(lambda: "rounding" in self.text("pick"))
+            awaited = "from the last" if places else "rounding"
+            self.wait_for(lambda: awaited in self.text("pick"))
             lines = self.text("pick").split("\n")
             places.append(tuple(map(float, lines[lines.index("place") + 1].removesuffix(" mm").split(","))))
             self.assertEqual("from the last" in lines, len(places) == 2)

@@ -72,11 +72,15 @@ std::string temporary_name() {
 }
 
 bool is_abandoned(const std::string& name) {
-    if (!name.starts_with(prefix) || !name.ends_with(ending())) return false;
+    if (!name.starts_with(prefix)) return false;
     pid_t pid = 0;
     const char* const end = name.data() + name.size();
     const auto [rest, code] = std::from_chars(name.data() + prefix.size(), end, pid);
-    return code == std::errc() && *rest == '-' && pid > 0 && !is_running(pid);
+    if (code != std::errc() || *rest != '-') return false;
+    const std::string_view random_and_host(rest + 1, end);
+    const std::size_t host = random_and_host.find('-');
+    return host != random_and_host.npos && random_and_host.substr(host) == ending() && pid > 0 &&
+           !is_running(pid);
 }
 
 namespace {

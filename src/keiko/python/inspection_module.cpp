@@ -45,6 +45,7 @@ py::tuple check(const py::object& input, const py::dict& judging, const std::str
                 const std::string& axes, bool profiles, const py::object& progress, int threads) {
     const std::shared_ptr<const SurfaceModel> model = model_of(input);
     const auto paths = model ? std::vector<std::filesystem::path>() : paths_of(input);
+    if (model) require_no_reading(unit, axes);
     CheckOptions options;
     set_judging(judging, options);
     options.load.unit = unit, options.load.axes = axes, options.profiles = profiles;
@@ -75,7 +76,7 @@ py::dict inspect(const OpenScene& open, const py::dict& judging,
     options.views = views, options.close_ups = close_ups;
     const ChosenRig lamps(rig);
     return bytes_of(run({progress, threads}, [&](const Job& job) {
-        return under(lamps, *open.scene, job, [&](const Scene& scene, const auto& file) {
+        return under(lamps, *open.scene, [&](const Scene& scene, const auto& file) {
             options.rig = file;
             options.picture = picture_options(scene, options.picture);
             return result_files(".", inspect_scene(scene, options, job));

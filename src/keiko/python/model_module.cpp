@@ -13,9 +13,9 @@ namespace {
 
 /// The models of files as one body. `name` stands for the files in the model and in errors, if it
 /// is given.
-OpenModel load(const std::vector<std::filesystem::path>& paths, const std::string& name,
-               const std::string& unit, const std::string& axes, const py::object& progress,
-               int threads) try {
+OpenModel load(const py::object& input, const std::string& name, const std::string& unit,
+               const std::string& axes, const py::object& progress, int threads) try {
+    const std::vector<std::filesystem::path> paths = paths_of(input);
     return run({progress, threads}, [&](const Job& job) {
         LoadOptions options;
         options.unit = unit, options.axes = axes;

@@ -39,6 +39,11 @@ std::vector<std::filesystem::path> paths_of(const py::object& input) {
     return paths;
 }
 
+void require_no_reading(const std::string& unit, const std::string& axes) {
+    if (!unit.empty() || !axes.empty())
+        throw FieldError(unit.empty() ? "axes" : "unit", "a Model has been read already");
+}
+
 std::vector<Ray> rays_of(const NumberRows& array, const char* field, const char* meaning) {
     if (array.ndim() != 2 || array.shape(1) != 6)
         throw FieldError(field, std::string("an array of n rows of 6 is needed: ") + meaning);

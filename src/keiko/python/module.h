@@ -51,6 +51,9 @@ std::vector<std::string> losses_of(const SurfaceModel& model);
 /// The body of a Model or a Scene; null for anything else.
 std::shared_ptr<const SurfaceModel> model_of(const pybind11::object& input);
 
+/// Throws FieldError if a verb on a Model says how to read files: it has been read already.
+void require_no_reading(const std::string& unit, const std::string& axes);
+
 /// The lamps that a verb is called with: of a file, or at hand, or neither.
 struct ChosenRig {
     std::optional<std::filesystem::path> file;
@@ -63,9 +66,9 @@ struct ChosenRig {
 /// Calls `work(scene, file)` with the scene and the file of the lamps, or with a scene of the same
 /// body that has the lamps at hand as its own.
 template <class Work>
-auto under(const ChosenRig& lamps, const Scene& scene, const Job& job, const Work& work) {
+auto under(const ChosenRig& lamps, const Scene& scene, const Work& work) {
     if (!lamps.rig) return work(scene, lamps.file);
-    Scene lit = scene_of_body(scene, scene.model, job);
+    Scene lit = scene;
     lit.rig = lamps.rig;
     return work(lit, std::optional<std::filesystem::path>());
 }

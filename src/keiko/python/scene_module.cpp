@@ -80,8 +80,7 @@ OpenScene open(const py::object& input, const std::string& unit, const std::stri
     OpenScene opened{{}, nullptr, unit, axes, material, shadows, nullptr};
     if (py::isinstance<OpenModel>(input)) {
         const auto& [model, paths] = input.cast<const OpenModel&>();
-        if (!unit.empty() || !axes.empty())
-            throw FieldError(unit.empty() ? "axes" : "unit", "a Model has been read already");
+        require_no_reading(unit, axes);
         opened.paths = paths, opened.model = model;
     } else {
         opened.paths = paths_of(input);

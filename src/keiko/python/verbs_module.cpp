@@ -49,7 +49,7 @@ std::string lines(const OpenScene& open, const py::object& rig,
                   const py::object& progress, int threads) {
     const ChosenRig lamps(rig);
     return run({progress, threads}, [&](const Job& job) {
-        return under(lamps, *open.scene, job, [&](const Scene& scene, const auto& file) {
+        return under(lamps, *open.scene, [&](const Scene& scene, const auto& file) {
             LinesOptions options;
             options.views = views, options.rig = file, options.join = join;
             options.preset = preset_by_name_or_file(preset);
@@ -87,6 +87,7 @@ std::string info(const py::object& input, const std::string& unit, const std::st
                  double join, const py::object& progress, int threads) {
     const std::shared_ptr<const SurfaceModel> model = model_of(input);
     const auto file = model ? std::filesystem::path() : path_of(input);
+    if (model) require_no_reading(unit, axes);
     return run({progress, threads}, [&](const Job& job) {
         FactsOptions options;
         options.load.unit = unit, options.load.axes = axes, options.join = join;

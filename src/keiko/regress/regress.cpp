@@ -111,7 +111,6 @@ Regression empty_regression(std::span<const FixtureFile> all, std::span<const Fi
 /// Runs a whole suite, alone in its output folder.
 void run_suite(std::span<const FixtureFile> suite, const RegressOptions& options,
                Regression& regression, const Job& job) {
-    withdraw_reports(options.output);
     const FolderLock lock(options.output);
     run_fixtures(suite, options, regression, job);
     write_reports(options.output, regression);
@@ -135,6 +134,7 @@ Regression run_regression(const RegressOptions& given, const Job& job) {
     RegressOptions options = given;
     if (given.shard) options.output = shard_folder(given.output, given.shard->number);
     require_apart(options, {});
+    if (!given.shard) withdraw_reports(options.output);
     const std::vector<FixtureFile> all = readable_suite(options);
     require_apart(options, all);
     const std::vector<FixtureFile> suite = options.only.empty() ? all : chosen(all, options.only);

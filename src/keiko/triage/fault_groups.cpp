@@ -155,9 +155,7 @@ std::vector<FaultGroup> Grouping::joined() {
 
 FaultGroup Grouping::group_of(std::vector<std::size_t> members) const {
     std::stable_sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-        const Sight &of_a = units_[a].sight, &of_b = units_[b].sight;
-        if (units_[a].is_fine()) return of_a.is_worse_than(of_b);
-        return of_a.tear > of_b.tear || (of_a.tear == of_b.tear && of_a.is_worse_than(of_b));
+        return units_[a].sight.is_worse_than(units_[b].sight);
     });
     FaultGroup group;
     for (const std::size_t i : members) {

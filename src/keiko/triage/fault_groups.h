@@ -10,7 +10,7 @@ namespace keiko {
 
 /// Units that are mended together, by their indices.
 struct FaultGroup {
-    std::vector<std::size_t> units; ///< the widest breaks first, of fine ones the most weight
+    std::vector<std::size_t> units; ///< those of the most weight first
     Sight sight;                    ///< of all of them, at the place of the first
     bool mirrored = false;          ///< it is on both sides of the middle plane
 };

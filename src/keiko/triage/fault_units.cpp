@@ -16,14 +16,10 @@ class UnitMaker {
 public:
     explicit UnitMaker(const Inspection& inspection) : inspection_(inspection) {
         const std::size_t findings = inspection.findings.size();
-        const auto is_of_line = [&](std::size_t i) {
-            const Check& check = inspection.findings[i];
-            return check.seam == no_index && check.face == no_index;
-        };
         for (std::size_t i = 0; i < findings; ++i)
-            if (!is_of_line(i)) add(i, {});
+            if (!is_of_lines(inspection.findings[i])) add(i, {});
         for (std::size_t i = 0; i < findings; ++i)
-            if (is_of_line(i)) add_line(i);
+            if (is_of_lines(inspection.findings[i])) add_line(i);
         for (std::size_t i = 0; i < inspection.looks.size(); ++i)
             if (inspection.looks[i].opening_length > 0) add_opening(findings + i);
     }
@@ -37,9 +33,10 @@ private:
         const Mending mending = check.seam == no_index ? mending_of(check) : Mending::layout;
         const auto [at, is_new] =
             known_.try_emplace(Key(check.seam, check.face, mending, line_over), units_.size());
-        if (is_new) units_.push_back({check.seam, check.face, mending_of(check), {}, {}});
+        if (is_new) units_.push_back({check.seam, check.face, mending_of(check), false, {}, {}});
         FaultUnit& unit = units_[at->second];
         unit.mending = std::min(unit.mending, mending_of(check));
+        if (check.code == "G-SU-NS") unit.jumps = true;
         unit.findings.push_back(finding);
     }
     void add_line(std::size_t finding) {
@@ -53,14 +50,13 @@ private:
                 distance_from_course(inspection_.seams[unit.seam], check.worst.place);
             if (!nearest || own < distance) nearest = &unit, distance = own;
         }
-        if (nearest)
-            nearest->findings.push_back(finding);
-        else
-            add(finding, check.faces);
+        if (!nearest) return add(finding, check.faces);
+        nearest->mending = std::min(nearest->mending, mending_of(check));
+        nearest->findings.push_back(finding);
     }
     void add_opening(std::size_t number) {
         const Check& check = numbered_check(inspection_, number);
-        units_.push_back({no_index, check.face, mending_of(check), {number}, {}});
+        units_.push_back({no_index, check.face, mending_of(check), false, {number}, {}});
     }
 
     const Inspection& inspection_;
@@ -70,8 +66,12 @@ private:
 
 } // namespace
 
+bool is_of_lines(const Check& check) {
+    return check.seam == no_index && check.face == no_index;
+}
+
 bool FaultUnit::is_fine() const {
-    return seam != no_index && mending == Mending::curvature && !sight.is_hidden() &&
+    return seam != no_index && mending == Mending::curvature && jumps && !sight.is_hidden() &&
            !sight.is_resolved();
 }
 

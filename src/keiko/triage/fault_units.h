@@ -16,6 +16,7 @@ struct FaultUnit {
     std::uint32_t seam = no_index;     ///< stretch, into Inspection::seams
     std::uint32_t face = no_index;     ///< into Inspection::faces
     Mending mending = Mending::layout; ///< the first that its stretch or face needs
+    bool jumps = false;                ///< one of its findings is a jump of curvature
     std::vector<std::size_t> findings; ///< for numbered_check(), rising
     Sight sight;                       ///< empty at first
 
@@ -23,6 +24,9 @@ struct FaultUnit {
     /// that is tangent to its neighbours.
     bool is_fine() const;
 };
+
+/// True for a finding of lines of lamps, which belongs to neither a stretch nor a face.
+bool is_of_lines(const Check& check);
 
 /// All findings of an inspection and its openings, each in one unit. Findings of lines belong to
 /// the nearest stretch with findings between the same faces.

@@ -47,7 +47,7 @@ double break_of_gap(double gap, const LineOfSight& sight) {
 }
 
 double break_of_gap_angle(double angle) {
-    return std::min(60 * 2 * angle, lamp_width);
+    return std::min(60 * angle, lamp_width);
 }
 
 } // namespace keiko

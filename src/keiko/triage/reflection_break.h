@@ -54,8 +54,8 @@ double break_of_pooled(double integral);
 /// Arc minutes of a gap of `gap` mm, seen squarely.
 double break_of_gap(double gap, const LineOfSight& sight);
 
-/// Arc minutes that a gap counts as which is as bad as `angle` degrees, whatever the curvature: as
-/// that angle on a plane, and as a lamp's width at most.
+/// Arc minutes that a gap counts as which is as bad as `angle` degrees, whatever the curvature:
+/// half of the tear by that angle on a plane, and a lamp's width at most.
 double break_of_gap_angle(double angle);
 
 } // namespace keiko

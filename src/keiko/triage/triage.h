@@ -15,11 +15,10 @@ namespace KEIKO_API keiko {
 struct TriageItem {
     Mending mending = Mending::layout; ///< the first that its worst part needs
     std::vector<std::size_t> findings; ///< for numbered_check(): the worst, then the others, rising
-    std::vector<std::uint32_t>
-        seams; ///< stretches that show it, the widest breaks, as they count, first
-    std::uint32_t face = no_index; ///< of the worst finding, if that is of a face
-    double length = 0;             ///< mm, of all stretches
-    double visible = 0;            ///< share of the length that at least one view shows
+    std::vector<std::uint32_t> seams;  ///< stretches that show it, those of the most weight first
+    std::uint32_t face = no_index;     ///< of the worst finding, if that is of a face
+    double length = 0;                 ///< mm, of all stretches
+    double visible = 0;                ///< share of the length that at least one view shows
     double width = 0;  ///< arc minutes: the widest break of a lamp's reflection in the view below
     double weight = 0; ///< arc minutes: breaks as they count, pooled over the length in that view
     std::string view;  ///< standing view that shows most of it

@@ -28,8 +28,10 @@ Image with_inflections(Image picture, const Film& film, const Inspection& inspec
     return with_overlay(std::move(picture), overlay);
 }
 
-/// The place nearest to a pixel at which a marker covers no other: there, or one of rings about it.
-Vec2 free_place(const Vec2& pixel, const std::vector<PictureMarker>& markers) {
+/// The place in a picture nearest to a pixel at which a marker covers no other: there, or one of
+/// rings about it.
+Vec2 free_place(const Vec2& pixel, const std::vector<PictureMarker>& markers,
+                const Camera& camera) {
     constexpr double size = 48; // pixels: pages show pictures at half their size
     constexpr int directions = 8, rings = 4;
     const auto is_free = [&](const Vec2& at) {
@@ -37,12 +39,15 @@ Vec2 free_place(const Vec2& pixel, const std::vector<PictureMarker>& markers) {
             return std::hypot(at.x - other.x, at.y - other.y) < size;
         });
     };
+    const auto is_inside = [&](const Vec2& at) {
+        return at.x >= 0 && at.y >= 0 && at.x < camera.width && at.y < camera.height;
+    };
     if (is_free(pixel)) return pixel;
     for (int ring = 1; ring <= rings; ++ring)
         for (int i = 0; i < directions; ++i) {
             const double angle = 2 * std::numbers::pi * i / directions;
             const Vec2 at = pixel + Vec2(std::cos(angle), std::sin(angle)) * (ring * size);
-            if (is_free(at)) return at;
+            if (is_inside(at) && is_free(at)) return at;
         }
     return pixel;
 }
@@ -57,11 +62,13 @@ ReportPicture picture_of(const std::string& view, const std::string& kind, const
             .markers = {}};
 }
 
-/// The views of the shown faults, each once.
+/// The views of the shown faults, each once: three at most.
 std::vector<std::string> views_of(std::span<const ShownItem> items) {
+    constexpr std::size_t most = 3;
     std::vector<std::string> views;
     for (const ShownItem& item : items)
-        if (item.fault && std::find(views.begin(), views.end(), item.fault->view) == views.end())
+        if (item.fault && views.size() < most &&
+            std::find(views.begin(), views.end(), item.fault->view) == views.end())
             views.push_back(item.fault->view);
     return views;
 }
@@ -85,7 +92,7 @@ std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownI
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Vec3& place = items[i].place;
         if (!seen_place(scene, camera, place)) continue;
-        const Vec2 pixel = free_place(*project(camera, place), markers);
+        const Vec2 pixel = free_place(*project(camera, place), markers, camera);
         markers.push_back({static_cast<int>(i + 1), pixel.x, pixel.y});
     }
     return markers;

@@ -13,7 +13,7 @@ namespace keiko {
 std::vector<PictureMarker> markers_in(const Scene& scene, std::span<const ShownItem> items,
                                       const Camera& camera);
 
-/// Zebra in the standing views that show most of the first faults, each view once, in the order of
+/// Zebra in the standing views that show most of the first faults, three at most, in the order of
 /// the faults: with markers, and dots on the seams of faults that an eye resolves. `part`: what is
 /// shown of the scene, with its picture size.
 std::vector<ReportPicture> standing_pictures(const Scene& part, const Report& report,

@@ -136,7 +136,9 @@ TEST(TemporaryName, IsNeverTheSameAndOfAProcessThatRuns) {
 TEST(TemporaryName, OfAnotherMachineIsNotJudged) {
     const std::string gone = test::abandoned_name();
     const std::string here = gone.substr(gone.find('-', gone.find("99-") + 3));
-    EXPECT_FALSE(is_abandoned(gone.substr(0, gone.size() - here.size()) + "-elsewhere.tmp"));
+    const std::string nameless = gone.substr(0, gone.size() - here.size());
+    EXPECT_FALSE(is_abandoned(nameless + "-elsewhere.tmp"));
+    EXPECT_FALSE(is_abandoned(nameless + "-rack" + here)) << "of a machine whose name ends so";
 }
 
 TEST(Streams, AReaderThatGoesAwayIsAnErrorAndEndsNobody) {

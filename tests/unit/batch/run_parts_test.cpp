@@ -133,6 +133,7 @@ TEST(PartNames, AreThoseOfFilesUnlessTwoAreTheSame) {
     EXPECT_THROW(names({"x/hood.step", "./x/hood.step"}), Error);
     EXPECT_THROW(names({".."}), Error);
     EXPECT_THROW(names({".step"}), Error);
+    EXPECT_THROW(names({"../.x/hood.step", "y/hood.step"}), Error) << "a hidden folder";
 }
 
 } // namespace

@@ -74,7 +74,9 @@ TEST(HiddenFaces, LeaveTheHitsOfTheOthersBitForBit) {
                 << i;
             ASSERT_EQ(any[i], !expected[i].empty()) << i;
             ASSERT_EQ(nearest[i].has_value(), !expected[i].empty()) << i;
-            if (nearest[i]) ASSERT_TRUE(same_bits(*nearest[i], expected[i].front())) << i;
+            if (nearest[i]) {
+                ASSERT_TRUE(same_bits(*nearest[i], expected[i].front())) << i;
+            }
             hits += expected[i].size();
         }
         EXPECT_GT(hits, rays.size() / 10);

@@ -1,3 +1,4 @@
+#include "keiko/triage/fault_units.h"
 #include "keiko/triage/reflection_break.h"
 #include "keiko/triage/standing_eyes.h"
 #include "keiko/triage/triage.h"
@@ -197,6 +198,20 @@ TEST(Triage, JumpsTooFineForAnEyeAreOneItem) {
     }
     EXPECT_FALSE(found.triage.items[0].fine);
     EXPECT_TRUE(found.triage.items[1].fine);
+}
+
+TEST(FaultUnits, OnlyJumpsOfCurvatureAreTooFine) {
+    for (const auto& [code, fine] : {std::pair("KEIKO-G3", false), {"G-SU-NS", true}}) {
+        Inspection inspection;
+        inspection.seams.emplace_back();
+        Check check;
+        check.code = code, check.seam = 0;
+        inspection.findings.push_back(check);
+        std::vector<FaultUnit> units = fault_units(inspection);
+        ASSERT_EQ(units.size(), 1u);
+        units[0].sight.length = units[0].sight.visible = 1;
+        EXPECT_EQ(units[0].is_fine(), fine) << code;
+    }
 }
 
 TEST(Triage, ARowOfFaultsIsNotOneItem) {

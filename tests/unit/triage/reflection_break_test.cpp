@@ -149,7 +149,7 @@ TEST(ReflectionBreak, BesideAFilletThereIsNoStripeThatChanges) {
 }
 
 TEST(ReflectionBreak, OfAGapIsAtMostALamp) {
-    EXPECT_NEAR(break_of_gap_angle(0.155), 18.6, 1e-12);
+    EXPECT_NEAR(break_of_gap_angle(0.155), 9.3, 1e-12);
     EXPECT_EQ(break_of_gap_angle(3), lamp_width);
 }
 

@@ -240,8 +240,7 @@ def load(input, *, name: str = "", unit: str = "", axes: str = "", progress=None
     "bytes" without one. `unit` and `axes` are those of `keiko check`. A Model is pickled by its content.
     """
     if not isinstance(input, (bytes, bytearray, memoryview)):
-        paths = [input] if isinstance(input, (str, _os.PathLike)) else list(input)
-        return load_model(paths, name, unit, axes, progress, threads)
+        return load_model(input, name, unit, axes, progress, threads)
     with _tempfile.TemporaryDirectory() as folder:
         path = _pathlib.Path(folder) / "model"
         path.write_bytes(input)

@@ -20,8 +20,6 @@ std::vector<std::string> chosen(const Deviation& deviation, const std::vector<st
 
 constexpr double nothing = 1e-9; // mm: roundings
 
-/// "(1, 2, 3)"
-
 ComparisonCheck surface_check(const char* name, const std::string& what, const Deviation& d,
                               double tolerance) {
     const bool within = std::abs(d.worst.value) <= tolerance;

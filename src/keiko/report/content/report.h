@@ -124,7 +124,7 @@ constexpr std::size_t most_profiles = 20;
 /// inspection_json, with the verdict of lines and seams together. Lines: lines {rig, look, preset,
 /// verdict, counts, crossings} with the keys of lines_json, or null. Triage: triage {items,
 /// hidden}, both [{mending, findings, seams, face (numbers), length (mm), visible (share of 1),
-/// width (arc minutes), weight (square arc minutes), view, mirrored, fine}]. Coverage: coverage
+/// width (arc minutes), weight (arc minutes), view, mirrored, fine}]. Coverage: coverage
 /// {rig, covered, unreached}. Pictures: standing_pictures, pictures, line_pictures,
 /// curvature_pictures and close_ups
 /// [{title, file, width, height, markers [{number, x, y}]}]. Close-ups have the number of their

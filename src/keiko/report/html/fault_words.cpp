@@ -1,13 +1,14 @@
 #include "keiko/report/html/fault_words.h"
 
 #include "keiko/report/markup/html_text.h"
+#include "keiko/triage/fault_units.h"
 #include "keiko/triage/reflection_break.h"
 
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <string_view>
-#include <utility>
+#include <tuple>
 #include <vector>
 
 namespace keiko {
@@ -52,6 +53,7 @@ std::string visible_text(double share) {
 std::string short_text(const Check& check) {
     const std::string value = short_number(check.worst.value, 3);
     if (check.opening_length > 0) return "hole, " + value + " mm wide";
+    if (is_of_lines(check)) return "reflections of lamps break";
     if (check.seam == no_index) return check.message;
     if (check.code == "G-SU-LG") return "gap of " + value + " mm";
     if (check.code == "G-SU-NT") return "kink of " + value + "°";
@@ -60,14 +62,14 @@ std::string short_text(const Check& check) {
 }
 
 /// The findings of a fault, those that are to be mended first and those furthest beyond their
-/// limits before the others.
+/// limits before the others. Those of lines follow those of what the lines cross.
 std::vector<const Check*> first_to_mend(const TriageItem& fault, const Inspection& inspection) {
     std::vector<const Check*> checks;
     for (const std::size_t number : fault.findings)
         checks.push_back(&numbered_check(inspection, number));
     const auto rank = [](const Check* check) {
         const double share = share_of_limit(check->worst);
-        return std::pair(mending_of(*check), std::isnan(share) ? 0 : -share);
+        return std::tuple(mending_of(*check), is_of_lines(*check), std::isnan(share) ? 0 : -share);
     };
     std::stable_sort(checks.begin(), checks.end(),
                      [&](const Check* a, const Check* b) { return rank(a) < rank(b); });
