@@ -74,7 +74,9 @@ TEST(HiddenFaces, ShowWhatATracerMadeAnewShows) {
         if (b.face == 0) continue;
         ++hits;
         EXPECT_FLOAT_EQ(a.t, b.t) << i;
-        if (a.way != b.way) EXPECT_NEAR(a.way / b.way, 1, 1e-4) << i;
+        if (a.way != b.way) {
+            EXPECT_NEAR(a.way / b.way, 1, 1e-4) << i;
+        }
     }
     EXPECT_GT(hits, found.samples.size() / 4);
 }
