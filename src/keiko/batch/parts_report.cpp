@@ -160,8 +160,8 @@ std::string part_folder(const std::string& name) {
 }
 
 std::string parts_html(const PartsRun& run) {
-    std::string body =
-        head_of(run) + html_table_head({"part", "verdict", "summary", "file"}, "part");
+    std::string body = head_of(run) + html_table_head({"part", "verdict", "summary", "file"},
+                                                      {"part", "summary", "file"});
     for (const PartOutcome& part : run.parts) body += row_of(part);
     return html_page("Keiko: " + html_escaped(run.command), "", body + std::string(html_table_end),
                      report_script);

@@ -3,6 +3,7 @@
 #include "keiko/film/signed_color_picture.h"
 #include "keiko/inspect/check_sentence.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -49,10 +50,16 @@ void add_scale_bar(const Camera& camera, const Vec3& place, Overlay& overlay) {
     const double length = round_scale(least * camera.width / pixels);
     const Vec2 left(margin, camera.height - margin - legend), end(margin + length * pixels, left.y);
     const Vec2 up(0, -tick);
+    const std::string text = short_number(length) + " mm";
+    const double width = std::max(end.x - left.x, text_size(text, TextLabel{}.scale).x);
+    const double plate = text_height + 4 * tick; // pixels, its height
+    const Vec2 middle = left - Vec2(tick, plate / 2 - tick);
+    overlay.lines.push_back({.points = {middle, middle + Vec2(width + 2 * tick, 0)},
+                             .color = Rgb(0.02),
+                             .width = plate});
     overlay.lines.push_back({.points = {left + up, left, end, end + up}, .color = dot_color});
-    overlay.texts.push_back({.at = left - Vec2(0, 2 * tick + text_height),
-                             .text = short_number(length) + " mm",
-                             .color = dot_color});
+    overlay.texts.push_back(
+        {.at = left - Vec2(0, 2 * tick + text_height), .text = text, .color = dot_color});
 }
 
 } // namespace keiko

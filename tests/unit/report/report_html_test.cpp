@@ -217,7 +217,7 @@ TEST(ReportHtml, BeginsWithTheFaultsToMendFirst) {
               std::string::npos);
     EXPECT_NE(screen.find("0.300°"), std::string::npos);
     EXPECT_EQ(screen.find("0.0400 mm"), std::string::npos) << "the gap is hidden";
-    EXPECT_NE(html.find("position", apart), std::string::npos);
+    EXPECT_NE(html.find("Gap (G0)", apart), std::string::npos);
     const auto json = nlohmann::json::parse(report_json(triaged))["triage"];
     EXPECT_EQ(json["items"][0]["findings"], nlohmann::json({2}));
     EXPECT_EQ(json["items"][0]["seams"], nlohmann::json({2}));

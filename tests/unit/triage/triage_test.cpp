@@ -78,9 +78,9 @@ TEST(Triage, CreasesCountByTheirGapAlone) {
     const Triaged found(builder);
     ASSERT_EQ(found.triage.items.size(), 1u);
     EXPECT_EQ(found.triage.items[0].mending, Mending::position);
-    // The limit of 0.01 mm is exceeded by four times itself, which counts as four times 0.1
+    // The limit of 0.01 mm is exceeded by four times itself, which counts as half of four times 0.1
     // degrees.
-    EXPECT_NEAR(found.triage.items[0].width, break_of_angle(0.4, 0, {3000, 1}), 1e-6);
+    EXPECT_NEAR(found.triage.items[0].width, break_of_angle(0.4, 0, {3000, 1}) / 2, 1e-6);
 }
 
 TEST(Triage, AGapWithinItsLimitHasNoPartInTheOrder) {

@@ -13,6 +13,11 @@ constexpr double least_length = 0.05;
 
 } // namespace
 
+std::string value_text(const Check& check) {
+    if (check.unit == "1") return short_number(100 * check.worst.value, 3) + " %";
+    return short_number(check.worst.value, 3) + (check.unit == "deg" ? "°" : " " + check.unit);
+}
+
 std::string subject_of(const Check& check) {
     if (!check.view.empty()) return "lines over " + check.faces + " in view " + check.view;
     if (check.seam == no_index) return check.faces;

@@ -22,6 +22,9 @@ namespace KEIKO_API keiko {
 /// over face 1 | face 2 in view front".
 std::string subject_of(const Check& check);
 
+/// The worst value of a check with its unit, "0.208°".
+std::string value_text(const Check& check);
+
 /// "face 1 | face 2: the gap of ... is over the limit of ..., at 50.0, 0.0, 0.0"; the place in mm.
 std::string placed_message(const Check& check);
 

@@ -140,7 +140,7 @@ std::string html_faces(const Report& report) {
                                                 : "dents, waves mm");
     headings.push_back("tightest place x, y, z");
     std::string html =
-        "<section id=\"faces\"><h2>All faces</h2>" + html_table_head(headings, "face");
+        "<section id=\"faces\"><h2>All faces</h2>" + html_table_head(headings, {"face"});
     for (std::size_t i = 0; i < faces.size(); ++i)
         if (faces[i].in_scope) html += row(report, i);
     return html + std::string(html_table_end) + "</section>\n";

@@ -6,11 +6,6 @@
 namespace keiko {
 namespace {
 
-std::string value_text(const Check& check) {
-    if (check.unit == "1") return short_number(100 * check.worst.value, 3) + " %";
-    return short_number(check.worst.value, 3) + (check.unit == "deg" ? "°" : " " + check.unit);
-}
-
 /// A row of a table of checks; `first` and `last`: cells of further columns.
 std::string row(const Report& report, const Check& check, std::string_view tone,
                 const std::string& first, const std::string& last) {
@@ -41,9 +36,9 @@ std::string remarks_list(const Inspection& inspection) {
 std::string html_findings(const Report& report) {
     const std::vector<Check> findings = whole_inspection(report).findings;
     if (findings.empty()) return "";
-    std::string html =
-        "<section><h2>Findings</h2>" +
-        html_table_head({"#", "where", "code", "value", "what", "place x, y, z"}, "where");
+    std::string html = "<section><h2>Findings</h2>" +
+                       html_table_head({"#", "where", "code", "value", "what", "place x, y, z"},
+                                       {"where", "what"});
     for (std::size_t i = 0; i < findings.size(); ++i)
         html += row(report, findings[i], outcome_of(findings[i]), number_cell(i + 1), "");
     return html + std::string(html_table_end) + "</section>\n";
@@ -58,8 +53,9 @@ std::string html_accepted(const Report& report) {
         "has a part in the verdict.</p>" +
         remarks_list(whole);
     if (whole.accepted.empty()) return html + "</section>\n";
-    html += html_table_head(
-        {"where", "code", "value", "what", "place x, y, z", "why", "by", "until"}, "where");
+    html +=
+        html_table_head({"where", "code", "value", "what", "place x, y, z", "why", "by", "until"},
+                        {"where", "what"});
     for (const Check& check : whole.accepted) {
         const AcceptanceNote& note = *check.accepted;
         html += row(report, check, "crease", "",
@@ -75,7 +71,7 @@ std::string html_looks(const Report& report) {
     std::string html =
         "<section><h2>Worth a look</h2><p class=\"soft\">Reported, not judged: "
         "nothing here has a part in the verdict.</p>" +
-        html_table_head({"face", "code", "value", "what", "place x, y, z"}, "face");
+        html_table_head({"face", "code", "value", "what", "place x, y, z"}, {"face", "what"});
     for (const Check& look : looks) html += row(report, look, "undecided", "", "");
     return html + std::string(html_table_end) + "</section>\n";
 }

@@ -67,7 +67,7 @@ std::string html_joints(const Report& report) {
              "flush mm" + wanted(limits.flush),
              limits.radius ? "radius mm ≥ " + short_number(*limits.radius) : "radius mm",
              "length mm", "unmeasured mm", "begins x, y, z"},
-            "faces");
+            {"faces"});
     for (std::size_t i = 0; i < inspection.joints->size(); ++i)
         html += row((*inspection.joints)[i], i + 1, limits);
     return html + std::string(html_table_end) + "</section>\n";

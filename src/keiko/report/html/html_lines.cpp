@@ -81,7 +81,7 @@ std::string table(const Report& report) {
         [&](const CrossingPlace& place) { return *place.in(list).verdict == Verdict::pass; });
     const std::size_t bad = static_cast<std::size_t>(passing - ranked.begin());
     const std::size_t shown = std::min(ranked.size(), std::max(bad, most_crossings));
-    std::string html = html_table_head(headings(list.preset), "faces");
+    std::string html = html_table_head(headings(list.preset), {"faces"});
     for (std::size_t i = 0; i < shown; ++i) html += row(report, i + 1, ranked[i]);
     html += html_table_end;
     if (shown < ranked.size())
@@ -121,7 +121,7 @@ std::string inflections(const LineList& list) {
         (lines == 1 ? " turns over at " : " turn over at ") + counted(count, "place") +
         "</summary>" +
         html_table_head({"#", "view", "lamp", "line mm long", "along it mm", "place x, y, z"},
-                        "view") +
+                        {"view"}) +
         rows + std::string(html_table_end);
     if (count > most_inflections)
         html += "<p class=\"soft\">and " + std::to_string(count - most_inflections) +

@@ -94,7 +94,7 @@ std::string seam_table(const Report& report, const std::string& title, const std
         if (seams[i].scrap == scraps) rows += row(report, i, judges_slopes(preset));
     if (rows.empty()) return "";
     return "<section id=\"" + std::string(scraps ? "scraps" : "seams") + "\"><h2>" + title +
-           "</h2>" + note + html_table_head(headings(preset), "faces") + rows +
+           "</h2>" + note + html_table_head(headings(preset), {"faces"}) + rows +
            std::string(html_table_end) + "</section>\n";
 }
 

@@ -1,3 +1,4 @@
+#include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/html/fault_words.h"
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
@@ -54,13 +55,24 @@ std::string looks_line(const Triage& triage, const Inspection& whole) {
     return "<p class=\"soft\">Worth a look besides, not judged: " + html_escaped(text) + ".</p>";
 }
 
+/// The seam or the face that shows most of a fault.
+std::string faces_of(const TriageItem& fault, const Check& worst) {
+    const bool is_of_seam = fault.face == no_index && !fault.seams.empty();
+    return (is_of_seam ? "seam " + std::to_string(fault.seams.front() + 1) + " · " : "") +
+           worst.faces;
+}
+
 /// A row of a table of faults.
-std::string row(std::size_t number, const TriageItem& fault, const Check& worst) {
+std::string row(std::size_t number, const TriageItem& fault, const Inspection& whole) {
+    const Check& worst = numbered_check(whole, fault.findings.front());
     return "<tr class=\"" + std::string(outcome_of(worst)) + "\">" +
            html_cell(std::to_string(number), std::to_string(number)) +
-           html_words_cell(worst.faces) + html_words_cell(std::string(name_of(fault.mending))) +
-           html_words_cell(message_of_worst(worst)) +
-           html_number_cell(fault.length, fixed_number(fault.length, 1), true) +
+           html_words_cell(fault_title(fault, whole)) +
+           html_number_cell(worst.worst.value, value_text(worst), true) +
+           html_words_cell(faces_of(fault, worst)) +
+           html_number_cell(fault.weight, fixed_number(fault.weight, 1) + "′", false) +
+           html_words_cell(words_of_view(fault.view)) +
+           html_number_cell(fault.length, fixed_number(fault.length, 1), false) +
            html_place_cell(worst.worst.place) + "</tr>\n";
 }
 
@@ -68,10 +80,10 @@ std::string row(std::size_t number, const TriageItem& fault, const Check& worst)
 std::string table_of(std::span<const TriageItem> faults, std::size_t first,
                      const Inspection& whole) {
     if (faults.empty()) return "";
-    std::string html =
-        html_table_head({"#", "faces", "mend", "what", "length mm", "place x, y, z"}, "faces");
-    for (std::size_t i = 0; i < faults.size(); ++i)
-        html += row(first + i, faults[i], numbered_check(whole, faults[i].findings.front()));
+    std::string html = html_table_head(
+        {"#", "fault", "worst", "faces", "weight", "seen from", "length mm", "place x, y, z"},
+        {"fault", "faces", "seen from"});
+    for (std::size_t i = 0; i < faults.size(); ++i) html += row(first + i, faults[i], whole);
     return html + std::string(html_table_end);
 }
 

@@ -103,11 +103,14 @@ std::string base64(std::string_view bytes) {
     return text;
 }
 
-std::string html_table_head(const std::vector<std::string>& names, std::string_view left) {
+std::string html_table_head(const std::vector<std::string>& names,
+                            const std::vector<std::string>& left) {
     std::string html = "<div class=\"card scroll\"><table><thead><tr>";
-    for (const std::string& name : names)
-        html += "<th" + std::string(name == left ? " class=\"left\"" : "") +
-                "><button type=\"button\">" + name + "</button></th>";
+    for (const std::string& name : names) {
+        const bool is_left = std::find(left.begin(), left.end(), name) != left.end();
+        html += std::string(is_left ? "<th class=\"left\">" : "<th>") + "<button type=\"button\">" +
+                name + "</button></th>";
+    }
     return html + "</tr></thead><tbody>\n";
 }
 

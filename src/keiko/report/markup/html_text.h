@@ -38,7 +38,8 @@ std::string base64(std::string_view bytes);
 // sorted. Plain ones stay in their order.
 
 /// The opening of a sortable table with its headings; those of `left` hold text.
-std::string html_table_head(const std::vector<std::string>& names, std::string_view left);
+std::string html_table_head(const std::vector<std::string>& names,
+                            const std::vector<std::string>& left);
 /// The end of such a table.
 constexpr std::string_view html_table_end = "</tbody></table></div>";
 
