@@ -93,14 +93,6 @@ std::vector<std::string> names_of(const ShardPlan& plan) {
     return names;
 }
 
-/// Indices of the parts of a shard.
-std::vector<std::size_t> share_of(const ShardPlan& plan, int shard) {
-    std::vector<std::size_t> share;
-    for (std::size_t i = 0; i < plan.parts.size(); ++i)
-        if (plan.parts[i].shard == shard) share.push_back(i);
-    return share;
-}
-
 } // namespace
 
 PartsRun run_parts(const PartsOptions& options, const JudgePart& judge, const Job& job) {

@@ -72,6 +72,13 @@ ShardPlan balanced_plan(std::string command, std::string key, std::vector<Planne
     return {std::move(command), version(), program(), std::move(key), shards, std::move(parts)};
 }
 
+std::vector<std::size_t> share_of(const ShardPlan& plan, int shard) {
+    std::vector<std::size_t> share;
+    for (std::size_t i = 0; i < plan.parts.size(); ++i)
+        if (plan.parts[i].shard == shard) share.push_back(i);
+    return share;
+}
+
 std::string plan_json(const ShardPlan& plan) {
     Json json = {
         {"format", format},

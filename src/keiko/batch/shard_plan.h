@@ -32,6 +32,9 @@ struct ShardPlan {
 ShardPlan balanced_plan(std::string command, std::string key, std::vector<PlannedPart> parts,
                         std::span<const double> costs, int shards);
 
+/// Indices of the parts of a shard.
+std::vector<std::size_t> share_of(const ShardPlan& plan, int shard);
+
 /// The plan as "keiko-shards/1".
 std::string plan_json(const ShardPlan& plan);
 /// Inverse of plan_json; `file` is for messages. Throws Error.

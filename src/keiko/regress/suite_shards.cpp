@@ -40,8 +40,7 @@ ShardPlan suite_plan(std::span<const FixtureFile> suite, std::span<const std::st
 std::vector<FixtureFile> share_of(std::span<const FixtureFile> suite, const ShardPlan& plan,
                                   int shard) {
     std::vector<FixtureFile> share;
-    for (std::size_t i = 0; i < suite.size(); ++i)
-        if (plan.parts[i].shard == shard) share.push_back(suite[i]);
+    for (const std::size_t i : share_of(plan, shard)) share.push_back(suite[i]);
     return share;
 }
 

@@ -1,7 +1,6 @@
 #include "keiko/report/content/report.h"
 
 namespace keiko {
-
 namespace {
 
 ShownItem item_of(const TriageItem& fault) {

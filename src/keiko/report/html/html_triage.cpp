@@ -76,15 +76,33 @@ std::string row(std::size_t number, const TriageItem& fault, const Inspection& w
            html_place_cell(worst.worst.place) + "</tr>\n";
 }
 
-/// Faults in a table, numbered from `first` on; empty without any.
-std::string table_of(std::span<const TriageItem> faults, std::size_t first,
+/// Faults in a table, numbered from `first` on.
+std::string table_of(std::span<const TriageItem* const> faults, std::size_t first,
                      const Inspection& whole) {
-    if (faults.empty()) return "";
     std::string html = html_table_head(
         {"#", "fault", "worst", "faces", "weight", "seen from", "length mm", "place x, y, z"},
         {"fault", "faces", "seen from"});
-    for (std::size_t i = 0; i < faults.size(); ++i) html += row(first + i, faults[i], whole);
+    for (std::size_t i = 0; i < faults.size(); ++i) html += row(first + i, *faults[i], whole);
     return html + std::string(html_table_end);
+}
+
+/// The heading of the first screen, and the order of its faults in words.
+std::string_view introduction(const Report& report) {
+    if (report.triage.items.empty()) return "<h2>Worst stretches of seams</h2>";
+    return "<h2>What to mend first</h2><p class=\"soft\">Faults by what an eye sees of them from "
+           "the standing views: how far the reflection of a lamp breaks. The weight is the break, "
+           "in arc minutes, that is as easily seen along one degree. A change of a stripe's width "
+           "counts a twelfth of a tear. A gap counts half of the angle that is as far over its "
+           "limit, and a hole too.</p>";
+}
+
+/// The card of an item of the first screen.
+std::string card_of(const Report& report, std::size_t rank, const ShownItem& item,
+                    const Inspection& whole) {
+    if (item.seam == no_index) return card(report, rank, item, whole);
+    if (!item.fault) return html_seam_card(report, rank, item, "", "");
+    return html_seam_card(report, rank, item, heading(*item.fault, whole),
+                          sight_note(*item.fault) + also_note(*item.fault, whole));
 }
 
 } // namespace
@@ -93,42 +111,27 @@ std::string html_first_screen(const Report& report) {
     const std::vector<ShownItem> items = shown_items(report);
     if (items.empty()) return "";
     const Inspection whole = whole_inspection(report);
-    std::string html =
-        !report.triage.items.empty()
-            ? "<section><h2>What to mend first</h2><p class=\"soft\">Faults by what "
-              "an eye sees of them from the standing views: how far the reflection "
-              "of a lamp breaks. The weight is the break, in arc minutes, that is as "
-              "easily seen along one degree. A change of a stripe's width counts a "
-              "twelfth of a tear. A gap counts as the angle that is as far over its "
-              "limit, and a hole too.</p>"
-            : "<section><h2>Worst stretches of seams</h2>";
-    html += html_figures(report.standing_pictures) + "<div class=\"worst\">\n";
-    for (std::size_t i = 0; i < items.size(); ++i) {
-        const ShownItem& item = items[i];
-        html +=
-            item.seam == no_index
-                ? card(report, i + 1, item, whole)
-                : html_seam_card(
-                      report, i + 1, item, item.fault ? heading(*item.fault, whole) : "",
-                      item.fault ? sight_note(*item.fault) + also_note(*item.fault, whole) : "");
-    }
-    html += "</div>";
-    return html + looks_line(report.triage, whole) + "</section>\n";
+    std::string html = "<section>" + std::string(introduction(report)) +
+                       html_figures(report.standing_pictures) + "<div class=\"worst\">\n";
+    for (std::size_t i = 0; i < items.size(); ++i) html += card_of(report, i + 1, items[i], whole);
+    return html + "</div>" + looks_line(report.triage, whole) + "</section>\n";
 }
 
 std::string html_more_faults(const Report& report) {
     const std::vector<ShownItem> shown = shown_items(report);
-    std::vector<TriageItem> others;
+    std::vector<const TriageItem*> others;
     for (const TriageItem& fault : report.triage.items)
         if (std::none_of(shown.begin(), shown.end(),
                          [&](const ShownItem& item) { return item.fault == &fault; }))
-            others.push_back(fault);
+            others.push_back(&fault);
+    if (others.empty()) return "";
     return html_section("What comes after them",
                         table_of(others, shown.size() + 1, whole_inspection(report)));
 }
 
 std::string html_hidden(const Report& report) {
-    const std::vector<TriageItem>& hidden = report.triage.hidden;
+    std::vector<const TriageItem*> hidden;
+    for (const TriageItem& fault : report.triage.hidden) hidden.push_back(&fault);
     if (hidden.empty()) return "";
     return html_section(
         "Faults in hidden places",

@@ -38,6 +38,11 @@ std::string formatted(const char* format, int precision, double value) {
     return text;
 }
 
+/// A coordinate with one decimal. + 0.0 turns a negative zero into a positive one.
+std::string coordinate(double x) {
+    return formatted("%.*f", 1, std::round(x * 10) / 10 + 0.0);
+}
+
 } // namespace
 
 std::string html_escaped(std::string_view text) {
@@ -68,15 +73,6 @@ std::string html_bar(double share) {
 std::string short_number(double value, int digits) {
     return std::isfinite(value) ? formatted("%.*g", digits, value) : "–";
 }
-
-namespace {
-
-/// A coordinate with one decimal. + 0.0 turns a negative zero into a positive one.
-std::string coordinate(double x) {
-    return formatted("%.*f", 1, std::round(x * 10) / 10 + 0.0);
-}
-
-} // namespace
 
 std::string place_text(const Vec3& place) {
     return coordinate(place.x) + ", " + coordinate(place.y) + ", " + coordinate(place.z);

@@ -1,0 +1,53 @@
+#include "keiko/report/html/fault_words.h"
+
+#include "tests/unit/report/sample_report.h"
+#include <gtest/gtest.h>
+
+namespace keiko {
+namespace {
+
+using test::report;
+
+TEST(FaultWords, PlacesAreThirdsOfTheBody) {
+    const Box3 body{Vec3(-300, -90, 0), Vec3(300, 0, 30)};
+    EXPECT_EQ(words_of_place({-250, -80, 2}, body), "front left, low");
+    EXPECT_EQ(words_of_place({0, -45, 15}, body), "middle");
+    EXPECT_EQ(words_of_place({250, -5, 29}, body), "rear right, high");
+    EXPECT_EQ(words_of_place({1, 1, 5}, {Vec3(1, 1, 5), Vec3(1, 1, 5)}), "middle");
+}
+
+TEST(FaultWords, WhatIsMendedFirstStandsFirst) {
+    Report any = report();
+    const std::size_t first = any.inspection.findings.size();
+    const auto add = [&](const char* code, const char* faces, std::uint32_t seam, double value) {
+        Check check;
+        check.code = code, check.faces = faces, check.seam = seam;
+        check.worst.value = value, check.worst.limit = 0.1;
+        any.inspection.findings.push_back(check);
+    };
+    add("KEIKO-LINE-KINK", "f 1 | f 2", no_index, 90);
+    add("G-SU-NS", "f 3 | f 4", 0, 1);
+    add("G-SU-NT", "f 5 | f 6", 0, 0.4);
+    add("G-SU-NT", "f 7 | f 8", 0, 0.5);
+    TriageItem fault;
+    fault.findings = {0, first, first + 1, first + 2, first + 3};
+    EXPECT_EQ(also_text(fault, any.inspection),
+              "also f 7 | f 8: kink of 0.5°; f 5 | f 6: kink of 0.4°; f 3 | f 4: curvature jump; "
+              "f 1 | f 2: reflections of lamps break");
+}
+
+TEST(FaultWords, TitlesNameTheContinuityThatBreaks) {
+    const Report any = report();
+    TriageItem fault;
+    fault.findings = {0}, fault.seams = {0};
+    for (const auto& [mending, title] : {std::pair(Mending::position, "Gap (G0)"),
+                                         {Mending::tangent, "Kink (G1)"},
+                                         {Mending::curvature, "Curvature jump (G2)"},
+                                         {Mending::layout, "Layout of patches"}}) {
+        fault.mending = mending;
+        EXPECT_EQ(fault_title(fault, any.inspection), title);
+    }
+}
+
+} // namespace
+} // namespace keiko
