@@ -164,7 +164,7 @@ PartsRun merge_parts(const fs::path& output) {
         records.push_back(record_of(shards.back(), folder));
     }
     require_whole_run(records, found.plan);
-    const PartsRun merged = joined(std::move(shards));
+    PartsRun merged = joined(std::move(shards));
     const FolderLock lock(output);
     write_text_file(output / "junit.xml", parts_junit(merged));
     write_text_file(output / "index.html", parts_html(merged));
