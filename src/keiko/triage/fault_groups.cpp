@@ -2,8 +2,9 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/math/disjoint_sets.h"
-#include "keiko/scene/symmetry.h"
+#include "keiko/triage/bad_patches.h"
 #include "keiko/triage/continuations.h"
+#include "keiko/triage/mirror_images.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,24 +27,6 @@ bool are_mended_alike(const FaultUnit& a, const FaultUnit& b) {
     return means_of(a) == means_of(b);
 }
 
-constexpr double image_share = 0.01; ///< of the length of two images: by which they may differ
-
-/// True if two places off a plane are images of each other at it, within `slack` mm.
-bool are_images(const Vec3& a, const Vec3& b, double slack, const MirrorPlane& mirror) {
-    return (mirror.image(a) - b).length() <= slack && std::abs(mirror.distance(a)) > slack;
-}
-
-bool are_images(const MeasuredSeam& a, const MeasuredSeam& b, const MirrorPlane& mirror) {
-    const double slack = image_share * std::max(a.length, b.length);
-    return std::abs(a.length - b.length) <= slack && are_images(a.middle, b.middle, slack, mirror);
-}
-
-/// False for checks that are of no opening.
-bool are_images(const Check& a, const Check& b, const MirrorPlane& mirror) {
-    const double slack = image_share * std::max(a.opening_length, b.opening_length);
-    return slack > 0 && are_images(a.worst.place, b.worst.place, slack, mirror);
-}
-
 /// mm: distance between the places of two faults, with the extent of either, up to which an eye
 /// sees them in one glance. It is 1 degree, half of the sharp part of its field, from 3.4 m, but at
 /// most a tenth of the body.
@@ -64,9 +47,9 @@ public:
     std::vector<FaultGroup> groups() {
         std::vector<FaultGroup> groups = joined();
         sort(groups);
-        std::vector<FaultGroup> merged = merged_by_glance(groups);
-        sort(merged);
-        return merged;
+        groups = merged_by_patch(merged_by_glance(groups));
+        sort(groups);
+        return groups;
     }
 
 private:
@@ -77,9 +60,10 @@ private:
     void join_lines(DisjointSets& sets) const;
     void join_fine(DisjointSets& sets) const;
     void join_images(DisjointSets& sets);
-    bool are_twins(std::size_t i, std::size_t j) const;
     FaultGroup group_of(std::vector<std::size_t> members) const;
     void sort(std::vector<FaultGroup>& groups) const;
+    bool may_belong_to_patch(const FaultGroup& group) const;
+    std::vector<FaultGroup> merged_by_patch(const std::vector<FaultGroup>& groups) const;
     std::vector<FaultGroup> merged_by_glance(const std::vector<FaultGroup>& groups) const;
     bool may_merge(const FaultGroup& group, const FaultGroup& worse) const;
     bool is_in_glance(const FaultGroup& group, const FaultGroup& worse) const;
@@ -120,20 +104,13 @@ void Grouping::join_fine(DisjointSets& sets) const {
     }
 }
 
-/// True for two stretches, or two openings, that are images of each other.
-bool Grouping::are_twins(std::size_t i, std::size_t j) const {
-    const bool of_seam = units_[i].seam != no_index;
-    if (of_seam != (units_[j].seam != no_index)) return false;
-    if (of_seam) return are_images(seam(i), seam(j), mirror_);
-    return are_images(numbered_check(inspection_, units_[i].findings.front()),
-                      numbered_check(inspection_, units_[j].findings.front()), mirror_);
-}
-
 void Grouping::join_images(DisjointSets& sets) {
     for (std::size_t j = 1; j < units_.size(); ++j) {
         check_stop();
         for (std::size_t i = 0; i < j; ++i) {
-            if (!are_mended_alike(units_[i], units_[j]) || !are_twins(i, j)) continue;
+            if (!are_mended_alike(units_[i], units_[j]) ||
+                !are_mirror_images(inspection_, units_[i], units_[j], mirror_))
+                continue;
             has_image_[i] = has_image_[j] = true;
             sets.join(i, j);
         }
@@ -164,6 +141,32 @@ FaultGroup Grouping::group_of(std::vector<std::size_t> members) const {
     }
     group.units = std::move(members);
     return group;
+}
+
+/// True for a fault that is mended by a better surface: a gap needs another border, and what is too
+/// fine another design.
+bool Grouping::may_belong_to_patch(const FaultGroup& group) const {
+    return !group.sight.is_hidden() && means_of(units_[group.units.front()]) == Means::rebuild_line;
+}
+
+/// The faults of each bad patch as one.
+std::vector<FaultGroup> Grouping::merged_by_patch(const std::vector<FaultGroup>& groups) const {
+    std::vector<bool> may_belong;
+    for (const FaultGroup& group : groups) may_belong.push_back(may_belong_to_patch(group));
+    std::vector<bool> is_taken(groups.size());
+    std::vector<FaultGroup> merged;
+    for (const BadPatch& patch : bad_patches(inspection_, units_, groups, may_belong)) {
+        std::vector<std::size_t> members;
+        for (const std::size_t i : patch.groups) {
+            is_taken[i] = true;
+            members.insert(members.end(), groups[i].units.begin(), groups[i].units.end());
+        }
+        merged.push_back(group_of(std::move(members)));
+        merged.back().patch = patch.face;
+    }
+    for (std::size_t i = 0; i < groups.size(); ++i)
+        if (!is_taken[i]) merged.push_back(groups[i]);
+    return merged;
 }
 
 /// The worst first; among equals the one with the earliest finding.

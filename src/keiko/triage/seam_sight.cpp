@@ -1,11 +1,10 @@
 #include "keiko/triage/seam_sight.h"
 
 #include "keiko/base/parallel.h"
-#include "keiko/inspect/seams/seam_chain.h"
 #include "keiko/inspect/seams/stretch_probes.h"
+#include "keiko/triage/crease_end.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace keiko {
@@ -33,24 +32,6 @@ SightPlace place_of(const SeamPoint& point, const BoundaryFrame& frame, double l
     if (seam.angle && seam.angle->verdict != Verdict::pass) at.angle = *point.angle;
     at.curvature_a = point.curvature_a, at.curvature_b = point.curvature_b;
     return at;
-}
-
-/// The end of a stretch that goes on at its other end from a crease of its line. That the angle
-/// falls up to there is the design; what is left of it is the fault. nullopt for other stretches.
-std::optional<Vec3> end_of_crease(const Inspection& inspection, const MeasuredSeam& seam) {
-    const std::array<Vec3, 2> ends{seam.course.front().front(), seam.course.back().back()};
-    const auto meets_crease = [&](const Vec3& end) {
-        return std::any_of(
-            inspection.seams.begin(), inspection.seams.end(), [&](const MeasuredSeam& other) {
-                if (other.line != seam.line || other.kind != SeamClass::crease) return false;
-                const Vec3 &first = other.course.front().front(),
-                           &last = other.course.back().back();
-                return std::min((end - first).length(), (end - last).length()) <= same_vertex;
-            });
-    };
-    const bool first = meets_crease(ends[0]), last = meets_crease(ends[1]);
-    if (first == last) return std::nullopt;
-    return ends[first ? 1 : 0];
 }
 
 /// Leaves an angle, in degrees, to the places within `place_length` of an end, or to the nearest.

@@ -1,6 +1,7 @@
 #include "keiko/triage/triage.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/triage/crease_end.h"
 #include "keiko/triage/fault_groups.h"
 #include "keiko/triage/reflection_break.h"
 #include "keiko/triage/seam_sight.h"
@@ -27,7 +28,15 @@ void add_sights(const FindingSights& of_findings, const Inspection& inspection,
     });
 }
 
-TriageItem item_of(const FaultGroup& group, const std::vector<FaultUnit>& units) {
+/// Degrees that are left of a crease where it ends at a stretch; 0 for other units.
+double left_of_crease(const Inspection& inspection, const FaultUnit& unit) {
+    if (unit.seam == no_index) return 0;
+    const MeasuredSeam& seam = inspection.seams[unit.seam];
+    return end_of_crease(inspection, seam) ? seam.smallest_angle : 0;
+}
+
+TriageItem item_of(const FaultGroup& group, const std::vector<FaultUnit>& units,
+                   const Inspection& inspection) {
     const FaultUnit& first = units[group.units.front()];
     const Sight& sight = group.sight;
     TriageItem item;
@@ -40,7 +49,8 @@ TriageItem item_of(const FaultGroup& group, const std::vector<FaultUnit>& units)
     std::sort(item.findings.begin(), item.findings.end());
     std::stable_partition(item.findings.begin(), item.findings.end(),
                           [&](std::size_t finding) { return finding == worst; });
-    item.mending = first.mending, item.face = first.face;
+    item.mending = first.mending, item.face = first.face, item.patch = group.patch;
+    item.left_of_crease = left_of_crease(inspection, first);
     item.length = sight.length, item.visible = sight.visible_share();
     const std::size_t view = sight.best_view();
     item.view = standing_views[view];
@@ -65,8 +75,20 @@ Triage triage(const SurfaceModel& model, const Tracer& tracer, const Inspection&
     add_sights(of_findings, inspection, units, job);
     Triage triage;
     for (const FaultGroup& group : fault_groups(inspection, units, tracer.bounds()))
-        (group.sight.is_hidden() ? triage.hidden : triage.items).push_back(item_of(group, units));
+        (group.sight.is_hidden() ? triage.hidden : triage.items)
+            .push_back(item_of(group, units, inspection));
+    put_fine_among_first(triage.items);
     return triage;
+}
+
+void put_fine_among_first(std::vector<TriageItem>& faults) {
+    std::size_t stretches = 0;
+    for (const TriageItem& fault : faults) stretches += fault.seams.size();
+    const auto fine = std::find_if(faults.begin(), faults.end(), [&](const TriageItem& fault) {
+        return fault.fine && 2 * fault.seams.size() > stretches;
+    });
+    if (fine - faults.begin() < std::ptrdiff_t(most_shown) || fine == faults.end()) return;
+    std::rotate(faults.begin() + most_shown - 1, fine, fine + 1);
 }
 
 } // namespace keiko

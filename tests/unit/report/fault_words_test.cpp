@@ -3,6 +3,8 @@
 #include "tests/unit/report/sample_report.h"
 #include <gtest/gtest.h>
 
+#include <tuple>
+
 namespace keiko {
 namespace {
 
@@ -34,6 +36,39 @@ TEST(FaultWords, WhatIsMendedFirstStandsFirst) {
     EXPECT_EQ(also_text(fault, any.inspection),
               "also f 7 | f 8: kink of 0.5°; f 5 | f 6: kink of 0.4°; f 3 | f 4: curvature jump; "
               "f 1 | f 2: reflections of lamps break");
+}
+
+TEST(FaultWords, AnAngleThatAGapBringsIsNamedWithIt) {
+    Report any = report();
+    const std::size_t first = any.inspection.findings.size();
+    for (const auto& [code, faces, value] : {std::tuple("G-SU-NT", "f 1 | f 2", 1.45),
+                                             {"G-SU-LG", "f 1 | f 2", 0.125},
+                                             {"G-SU-NT", "f 3 | f 4", 0.5}}) {
+        Check check;
+        check.code = code, check.faces = faces, check.seam = 0;
+        check.worst.value = value, check.worst.limit = 0.1;
+        any.inspection.findings.push_back(check);
+    }
+    TriageItem fault;
+    fault.findings = {0, first, first + 1};
+    EXPECT_EQ(also_text(fault, any.inspection), "also f 1 | f 2: gap of 0.125 mm, kink of 1.45°");
+    fault.findings = {first + 1, first, first + 2};
+    EXPECT_EQ(also_text(fault, any.inspection),
+              "also f 1 | f 2: kink of 1.45°; f 3 | f 4: kink of 0.5°")
+        << "the worst finding stands at the head";
+}
+
+TEST(FaultWords, APatchToRebuildAndACreaseThatEndsAreNamed) {
+    const Report any = report();
+    TriageItem fault;
+    fault.findings = {0}, fault.seams = {0}, fault.mending = Mending::tangent;
+    EXPECT_EQ(sight_text(fault, any.inspection).find("rebuild"), std::string::npos);
+    EXPECT_EQ(sight_text(fault, any.inspection).find("crease"), std::string::npos);
+    fault.patch = 0, fault.left_of_crease = 2.3717;
+    const std::string text = sight_text(fault, any.inspection);
+    EXPECT_NE(text.find("rebuild " + any.inspection.faces.at(0).name), std::string::npos);
+    EXPECT_NE(text.find("a crease fades to 2.37° and ends"), std::string::npos);
+    EXPECT_EQ(fault_title(fault, any.inspection), "Crease that ends (G1)");
 }
 
 TEST(FaultWords, TitlesNameTheContinuityThatBreaks) {

@@ -200,6 +200,28 @@ TEST(Triage, JumpsTooFineForAnEyeAreOneItem) {
     EXPECT_TRUE(found.triage.items[1].fine);
 }
 
+TEST(Triage, WhatNoEyeResolvesClosesTheFirstFaultsIfItPrevails) {
+    TriageItem fault;
+    fault.seams = {0};
+    for (const auto& [stretches, at] : {std::pair(std::size_t(10), most_shown - 1), {9, 8}}) {
+        std::vector<TriageItem> faults(10, fault);
+        for (std::size_t i = 0; i < faults.size(); ++i) faults[i].length = double(i);
+        faults[8].fine = true, faults[8].seams.assign(stretches, 0); // beside nine others
+        put_fine_among_first(faults);
+        ASSERT_TRUE(faults[at].fine) << stretches;
+        std::vector<double> others;
+        for (const TriageItem& any : faults)
+            if (!any.fine) others.push_back(any.length);
+        EXPECT_EQ(others, (std::vector<double>{0, 1, 2, 3, 4, 5, 6, 7, 9})) << "keep their order";
+    }
+    std::vector<TriageItem> first(3, fault), none;
+    first[1].fine = true, first[1].seams.assign(9, 0);
+    put_fine_among_first(first);
+    EXPECT_TRUE(first[1].fine) << "already among them";
+    put_fine_among_first(none);
+    EXPECT_TRUE(none.empty());
+}
+
 TEST(FaultUnits, OnlyJumpsOfCurvatureAreTooFine) {
     for (const auto& [code, fine] : {std::pair("KEIKO-G3", false), {"G-SU-NS", true}}) {
         Inspection inspection;

@@ -251,6 +251,7 @@ TEST(Triage, ACreaseThatDoesNotFadeOutCountsByWhatIsLeft) {
     EXPECT_NEAR(found.angle_of(found.triage.items[0]), 5, 0.01) << "where it is no crease any more";
     EXPECT_NEAR(found.triage.items[0].width, 60 * 2 * 2.4, 3);
     EXPECT_GT(found.triage.items[0].place.x, 385);
+    EXPECT_NEAR(found.triage.items[0].left_of_crease, 2.4, 1e-3);
 }
 
 TEST(StandingEyes, DoNotResolveStripesAcrossASmallFillet) {

@@ -98,9 +98,6 @@ inline Inspection whole_inspection(const Report& report) {
 /// Number of worst seams that reports name.
 constexpr std::size_t worst_seam_count = 5;
 
-/// Largest number of faults that the first screen shows.
-constexpr std::size_t most_shown = 7;
-
 /// An item of the first screen, which pictures number: a fault, or a stretch of a seam.
 struct ShownItem {
     const TriageItem* fault = nullptr; ///< null for a stretch without findings

@@ -8,26 +8,12 @@ ShownItem item_of(const TriageItem& fault) {
     return {&fault, is_of_seam ? fault.seams.front() : no_index, fault.face, fault.place};
 }
 
-/// The jumps that no eye resolves, if most stretches with faults are among them; else null.
-const TriageItem* prevailing_fine(const std::vector<TriageItem>& faults) {
-    std::size_t stretches = 0;
-    for (const TriageItem& fault : faults) stretches += fault.seams.size();
-    const auto fine = std::find_if(faults.begin(), faults.end(), [&](const TriageItem& fault) {
-        return fault.fine && 2 * fault.seams.size() > stretches;
-    });
-    return fine == faults.end() ? nullptr : &*fine;
-}
-
 } // namespace
 
 std::vector<ShownItem> shown_items(const Report& report) {
     std::vector<ShownItem> items;
-    const std::vector<TriageItem>& faults = report.triage.items;
-    const TriageItem* last = prevailing_fine(faults);
-    const std::size_t others = most_shown - (last ? 1 : 0);
-    for (const TriageItem& fault : faults)
-        if (&fault != last && items.size() < others) items.push_back(item_of(fault));
-    if (last) items.push_back(item_of(*last));
+    for (const TriageItem& fault : report.triage.items)
+        if (items.size() < most_shown) items.push_back(item_of(fault));
     if (!items.empty()) return items;
     for (const std::uint32_t seam : worst_seams(report.inspection, worst_seam_count))
         items.push_back({nullptr, seam, no_index, worst_place(report.inspection.seams[seam])});

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <string_view>
 #include <tuple>
 #include <vector>
@@ -76,6 +75,33 @@ std::vector<const Check*> first_to_mend(const TriageItem& fault, const Inspectio
     return checks;
 }
 
+/// Findings of one seam or face, in words.
+struct Others {
+    std::string faces, text;
+    std::size_t count = 0;
+};
+
+/// The findings of a fault but for its worst one, at most two different ones of each seam or face.
+/// Lines that break follow from what else a seam has.
+std::vector<Others> other_findings(const TriageItem& fault, const Inspection& inspection) {
+    constexpr std::size_t most = 2;
+    const Check* worst = &numbered_check(inspection, fault.findings.front());
+    std::vector<Others> others;
+    for (const Check* check : first_to_mend(fault, inspection)) {
+        const std::string text = short_text(*check);
+        const bool is_of_worst = check->faces == worst->faces;
+        if (is_of_worst && (text == short_text(*worst) || is_of_lines(*check))) continue;
+        const auto known = std::find_if(others.begin(), others.end(), [&](const Others& any) {
+            return any.faces == check->faces;
+        });
+        if (known == others.end())
+            others.push_back({check->faces, text, 1});
+        else if (known->count < most && known->text != text && !is_of_lines(*check))
+            known->text += ", " + text, ++known->count;
+    }
+    return others;
+}
+
 /// The third of an interval in which a number lies, in words.
 std::string_view third(double at, double lower, double upper, std::string_view low,
                        std::string_view middle, std::string_view high) {
@@ -100,6 +126,7 @@ std::string fault_title(const TriageItem& fault, const Inspection& inspection) {
         case Mending::position:
             return is_of_seams ? "Gap (G0)" : "Position";
         case Mending::tangent:
+            if (fault.left_of_crease > 0) return "Crease that ends (G1)";
             return is_of_seams ? "Kink (G1)" : "Kink";
         case Mending::curvature:
             return is_of_seams ? "Curvature jump (G2)" : "Form";
@@ -126,9 +153,14 @@ std::string words_of_view(const std::string& view) {
     return is_between ? "three-quarter " + words : words;
 }
 
-std::string sight_text(const TriageItem& fault) {
+std::string sight_text(const TriageItem& fault, const Inspection& inspection) {
     constexpr double least_width = 0.05; // arc minutes
     std::string text(task_of(fault));
+    if (fault.patch != no_index)
+        text += " · rebuild " + inspection.faces[fault.patch].name + ", most of whose seams fail";
+    if (fault.left_of_crease > 0)
+        text += " · a crease fades to " + short_number(fault.left_of_crease, 3) +
+                "° and ends: let it run out or keep it sharp";
     if (fault.width >= least_width)
         text += " · " + effect_of(fault) + ", seen from " + words_of_view(fault.view);
     if (!fault.seams.empty())
@@ -141,15 +173,12 @@ std::string sight_text(const TriageItem& fault) {
 
 std::string also_text(const TriageItem& fault, const Inspection& inspection) {
     constexpr std::size_t most = 5;
-    std::set<std::string> named{numbered_check(inspection, fault.findings.front()).faces};
+    const std::vector<Others> others = other_findings(fault, inspection);
     std::string text;
-    for (const Check* check : first_to_mend(fault, inspection)) {
-        if (!named.insert(check->faces).second) continue;
-        if (named.size() <= most + 1)
-            text += (text.empty() ? "also " : "; ") + check->faces + ": " + short_text(*check);
-    }
-    if (named.size() > most + 1)
-        text += "; and " + std::to_string(named.size() - most - 1) + " more seams or faces";
+    for (std::size_t i = 0; i < std::min(others.size(), most); ++i)
+        text += (text.empty() ? "also " : "; ") + others[i].faces + ": " + others[i].text;
+    if (others.size() > most)
+        text += "; and " + std::to_string(others.size() - most) + " more seams or faces";
     return text;
 }
 

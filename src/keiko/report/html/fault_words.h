@@ -22,11 +22,13 @@ std::string words_of_place(const Vec3& place, const Box3& body);
 std::string words_of_view(const std::string& view);
 
 /// A fault as an eye sees it: "mend the tangent · tears a stripe by up to 2.8′ (arc minutes), seen
-/// from left · 271.5 mm on 3 seams · weight 12′".
-std::string sight_text(const TriageItem& fault);
+/// from left · 271.5 mm on 3 seams · weight 12′". Of a bad patch also which face to rebuild, and of
+/// a crease that ends before it has faded the angle that is left.
+std::string sight_text(const TriageItem& fault, const Inspection& inspection);
 
-/// The other findings of a fault, one of each seam or face: "also face 2 | face 47: kink of
-/// 0.52°". Empty without anything else.
+/// The other findings of a fault, at most two of each seam or face: "also face 2 | face 47: gap of
+/// 0.026 mm, kink of 0.52°". Of the seam or face that leads the fault its first finding is left
+/// out. Empty without anything else.
 std::string also_text(const TriageItem& fault, const Inspection& inspection);
 
 } // namespace keiko

@@ -78,24 +78,32 @@ const SeamPoint* profile_point(const SeamProfile* profile, const Vec3& place) {
     return nearest;
 }
 
-/// `shown`: where the reflection breaks most, if known; else the radii are those of the largest
-/// mismatch.
-std::string curvature_measure(const MeasuredSeam& seam, const SeamPoint* shown) {
-    if (!seam.curvature)
-        return measure("curvature", "crease",
-                       shown ? radii_text(shown->curvature_a, shown->curvature_b) : "–",
-                       "judged where gap and angle pass", 0);
-    const CurvatureStep& step = *seam.curvature;
-    const std::string mismatch = fixed_number(step.mismatch * 100, 1) + " %";
+/// The mismatch of a place and the largest of its seam, with the limit: "42.0 % where it is seen
+/// best, up to 100.0 % on the seam, ...".
+std::string mismatch_text(const CurvatureStep& step, const SeamPoint* shown,
+                          const CriteriaPreset& limits) {
+    const std::string largest = fixed_number(step.mismatch * 100, 1) + " %";
     const std::string limit = std::string(formula_text(step.formula)) + ", limit " +
                               short_number(step.worst.limit * 100) + " %" +
                               (step.flat ? ", against the flat radius" : "");
-    const std::string radii = shown ? radii_text(shown->curvature_a, shown->curvature_b)
-                                    : radii_text(step.curvature_a, step.curvature_b);
-    return measure("curvature", name_of(step.worst.verdict), shown ? radii : mismatch,
-                   shown ? "where it is seen best; elsewhere up to " + mismatch + ", " + limit
-                         : radii + ", " + limit,
-                   share_of_limit(step.worst));
+    if (!shown) return radii_text(step.curvature_a, step.curvature_b) + ", " + limit;
+    const double here = SeamQuantities(limits).mismatch(step.formula, *shown);
+    return fixed_number(here * 100, 1) + " % where it is seen best, up to " + largest +
+           " on the seam, " + limit;
+}
+
+/// `shown`: where the reflection breaks most, if known; else the radii are those of the largest
+/// mismatch.
+std::string curvature_measure(const MeasuredSeam& seam, const SeamPoint* shown,
+                              const CriteriaPreset& limits) {
+    const std::string radii =
+        shown ? radii_text(shown->curvature_a, shown->curvature_b) : std::string("–");
+    if (!seam.curvature)
+        return measure("curvature", "crease", radii, "judged where gap and angle pass", 0);
+    const CurvatureStep& step = *seam.curvature;
+    return measure("curvature", name_of(step.worst.verdict),
+                   shown ? radii : fixed_number(step.mismatch * 100, 1) + " %",
+                   mismatch_text(step, shown, limits), share_of_limit(step.worst));
 }
 
 /// Cell of the fading; empty for a seam that is no crease, and for a crease that does not fade out.
@@ -171,15 +179,16 @@ std::string html_seam_card(const Report& report, std::size_t rank, const ShownIt
     const SeamPoint* shown =
         item.fault ? profile_point(profile_of(report, index), item.place) : nullptr;
     const MeasuredSeam& seam = report.inspection.seams[index];
+    const CriteriaPreset& limits = limits_of(report.inspection, seam);
     return "<div class=\"card seam " + seam_tone(seam) + "\"><div class=\"rank\">" +
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" + heading +
            "seam " + std::to_string(index + 1) + " · " + html_escaped(seam.faces) + "</div>" +
            note + "<div class=\"soft small\">at " + place_with_axes(item.place) +
            irregular_note(seam) + " · seam of " + fixed_number(seam.length, 1) + " mm" +
            kind_note(seam) + "</div><div class=\"measures\">" + gap_measure(seam) +
-           angle_measure(seam) + curvature_measure(seam, shown) +
-           slope_measure(seam, limits_of(report.inspection, seam)) + fading_measure(seam) +
-           "</div>" + folded_profile_of(report, index) + "</div>" +
+           angle_measure(seam) + curvature_measure(seam, shown, limits) +
+           slope_measure(seam, limits) + fading_measure(seam) + "</div>" +
+           folded_profile_of(report, index) + "</div>" +
            html_close_up(report, CloseUp::Of::seam, index, item.place) + "</div>\n";
 }
 

@@ -11,8 +11,8 @@
 namespace keiko {
 namespace {
 
-std::string sight_note(const TriageItem& fault) {
-    return "<div class=\"sight\">" + html_escaped(sight_text(fault)) + "</div>";
+std::string sight_note(const TriageItem& fault, const Inspection& inspection) {
+    return "<div class=\"sight\">" + html_escaped(sight_text(fault, inspection)) + "</div>";
 }
 
 /// "Kink (G1) · rear right, high · "
@@ -33,8 +33,8 @@ std::string card(const Report& report, std::size_t rank, const ShownItem& item,
     return "<div class=\"card seam " + std::string(outcome_of(worst)) + "\"><div class=\"rank\">" +
            std::to_string(rank) + "</div><div class=\"body\"><div class=\"name\">" +
            heading(*item.fault, whole) + html_escaped(worst.faces) + "</div>" +
-           sight_note(*item.fault) + "<div>" + html_escaped(message_of_worst(worst)) + "</div>" +
-           also_note(*item.fault, whole) + "<div class=\"soft small\">at " +
+           sight_note(*item.fault, whole) + "<div>" + html_escaped(message_of_worst(worst)) +
+           "</div>" + also_note(*item.fault, whole) + "<div class=\"soft small\">at " +
            place_with_axes(worst.worst.place) + "</div></div>" +
            html_close_up(report, CloseUp::Of::face, item.face, item.place) + "</div>\n";
 }
@@ -102,7 +102,7 @@ std::string card_of(const Report& report, std::size_t rank, const ShownItem& ite
     if (item.seam == no_index) return card(report, rank, item, whole);
     if (!item.fault) return html_seam_card(report, rank, item, "", "");
     return html_seam_card(report, rank, item, heading(*item.fault, whole),
-                          sight_note(*item.fault) + also_note(*item.fault, whole));
+                          sight_note(*item.fault, whole) + also_note(*item.fault, whole));
 }
 
 } // namespace

@@ -19,6 +19,8 @@ Json item_json(const TriageItem& item) {
             {"findings", numbers(item.findings)},
             {"seams", numbers(item.seams)},
             {"face", item.face == no_index ? Json() : Json(item.face + 1)},
+            {"patch", item.patch == no_index ? Json() : Json(item.patch + 1)},
+            {"left_of_crease", item.left_of_crease},
             {"length", item.length},
             {"visible", item.visible},
             {"width", item.width},
