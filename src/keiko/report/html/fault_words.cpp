@@ -81,7 +81,7 @@ struct Others {
     std::size_t count = 0;
 };
 
-/// The findings of a fault but for its worst one, at most two different ones of each seam or face.
+/// The findings of a fault without its worst one, at most two different ones a seam or face.
 /// Lines that break follow from what else a seam has.
 std::vector<Others> other_findings(const TriageItem& fault, const Inspection& inspection) {
     constexpr std::size_t most = 2;
