@@ -9,6 +9,7 @@ from sarif_rules import faults_of_log
 GAP = surface("seam-g0-gap.step")
 SCHEMA = SOURCE / "docs/schema/keiko-accepted.schema.json"
 DAY = ("--today", "2026-11-27")
+UNJUDGED = r"\Akeiko: warning: the curvature was not judged where a gap or an angle fails and is accepted: seam 1 \(face 1.*\)\n\Z"
 
 
 class Accept(KeikoTest):
@@ -30,7 +31,8 @@ class Accept(KeikoTest):
         self.assertRegex(text, r"\Aaccepted G-SU-LG at .*: hidden by the trim \(Ann, 2026-11-27, until 2027-01-31\)\n"
                                r"1 finding accepted in ok.json\n\Z")
         run = self.check(GAP, "--json", "a.json", "--junit", "a.xml", "--sarif", "a.sarif")
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, UNJUDGED)
         self.assertRegex(run.stdout, r"\Apass: stretches of seams 0 fail, 0 undecided, 0 pass, 0 creases, 1 accepted")
         self.assertIn("\n1 accepted, no part of the verdict:\naccepted  G-SU-LG  face 1", run.stdout)
         report = json.loads((self.folder / "a.json").read_text())
@@ -64,6 +66,27 @@ class Accept(KeikoTest):
         self.assertEqual(run.returncode, 1)
         self.assertIn("does not cover the finding there, which is worse than what was accepted: 0.05 instead of 0.0417 mm", run.stderr)
 
+    def test_a_closer_limit_is_not_covered(self):
+        self.accept_gap()
+        kept = json.loads((self.folder / "ok.json").read_text())
+        kept["accepted"][0]["limit"] *= 1.01
+        self.write("ok.json", json.dumps(kept))
+        run = self.check(GAP)
+        self.assertEqual(run.returncode, 1)
+        self.assertIn("or held to a closer limit", run.stderr)
+
+    def test_a_fault_of_a_report_is_accepted_with_all_of_its_findings(self):
+        inspect = ("inspect", surface("seam-g1-angle.step"), "--view", "high-front", "-q", *SMALL)
+        self.keiko(*inspect, "-o", "before")
+        report = json.loads((self.folder / "before/report.json").read_text())
+        fault, = report["triage"]["items"]
+        self.assertGreater(len(fault["findings"]), 1)
+        self.assertEqual(self.accept("before/report.json", "1", "--finding", str(fault["findings"][0])).returncode, 0)
+        self.assertEqual(len(json.loads((self.folder / "ok.json").read_text())["accepted"]), len(fault["findings"]))
+        self.assertEqual(self.keiko(*inspect, "-o", "after", "--accepted", "ok.json", *DAY).returncode, 0)
+        run = self.accept("before/report.json", "2")
+        self.assertEqual((run.returncode, run.stderr), (2, "keiko: before/report.json:item 2: there is no such fault; there are 1\n"))
+
     def test_entries_are_kept_and_not_doubled(self):
         self.accept_gap()
         before = (self.folder / "ok.json").read_bytes()
@@ -92,6 +115,8 @@ class Accept(KeikoTest):
         self.write("bad.json", '{"format": "keiko-accepted/1", "accepted": [{"code": "G-SU-LG"}]}')
         for run, reason in (
                 (self.accept("report.json", "2"), "report.json:item 2: there is no such finding; there are 1"),
+                (self.accept("report.json"), "ITEM: is missing: name a fault, or a --finding"),
+                (self.accept("report.json", "--finding", "2"), "report.json:finding 2: there is no such finding; there are 1"),
                 (self.accept("model.json", "1"), "model.json: is no report in JSON of keiko check or keiko inspect"),
                 (self.accept("report.json", "1", "--until", "31.1.2027"), "--until: '31.1.2027' is no date as 2026-11-27"),
                 (self.accept("report.json", "1", "--until", "2026-11-26"), "--until: '2026-11-26' is over already: it is 2026-11-27"),
@@ -115,9 +140,10 @@ class Accept(KeikoTest):
         findings = json.loads((self.folder / "before/report.json").read_text())["findings"]
         numbers = [str(finding["number"]) for finding in findings if finding["severity"] == "judged"]
         self.assertTrue(any(finding.get("view") == "high-front" for finding in findings))
-        self.assertEqual(self.accept("before/report.json", *numbers).returncode, 0)
+        self.assertEqual(self.accept("before/report.json", "--finding", *numbers).returncode, 0)
         run = self.keiko(*inspect, "-o", "after", "--accepted", "ok.json", *DAY)
-        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, UNJUDGED)
         self.assertIn(f"{len(numbers)} findings accepted; ", run.stdout)
         report = json.loads((self.folder / "after/report.json").read_text())
         self.assertEqual((report["verdict"], report["lines"]["verdict"], len(report["accepted"])), ("pass", "pass", len(numbers)))

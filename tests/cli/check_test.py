@@ -395,6 +395,8 @@ class Check(KeikoTest):
         self.assertIn("the radius of an edge of 2 mm is under the limit of 2.5 mm", text)
         run = self.keiko("check", line, "--joints", "--preset", self.write("r.toml", seam), "-q")
         self.assertEqual(run.stderr, "keiko: warning: no joint was judged: the preset p has no limits in [joint]\n")
+        run = self.keiko("check", line, "--preset", "q.toml", "-q")
+        self.assertEqual(run.stderr, "keiko: warning: no joint was judged: [joint] has limits, but joints were not sought\n")
         run = self.keiko("check", GAP, "--joints", "-q")
         self.assertEqual(run.stderr, "keiko: warning: no joint was found: no two panels end side by side within 15 mm\n")
 

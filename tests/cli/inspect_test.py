@@ -150,6 +150,11 @@ class Inspect(KeikoTest):
         inputs = {pathlib.Path(entry["path"]).name: entry["sha256"] for entry in report["inputs"]}
         self.assertEqual(inputs, {"hood-scene.toml": digest(surface("hood-scene.toml")),
                                   "hood.step": digest(surface("hood.step")), "rig.toml": before})
+        self.write("mine.toml", 'format = "keiko-preset/1"\nname = "mine"\n[seam]\ngap = 0.1\nangle = 0.2\n')
+        self.write("ok.json", '{"format": "keiko-accepted/1", "accepted": []}')
+        report = self.inspect("seam-g2-only.step", "--preset", "mine.toml", "--accepted", "ok.json")[1]
+        self.assertEqual(sorted((entry["path"], entry["sha256"]) for entry in report["inputs"]),
+                         sorted((str(path), digest(self.folder / path)) for path in (model, "mine.toml", "ok.json")))
 
     def test_an_earlier_rig_that_is_read_again_stays(self):
         self.inspect("seam-g2-only.step")

@@ -1,5 +1,6 @@
 #include "keiko/api/accept.h"
 
+#include "keiko/base/error.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/text.h"
 #include "keiko/cli/inspection_options.h"
@@ -15,7 +16,7 @@ namespace {
 
 struct AcceptArguments {
     std::filesystem::path report, output;
-    std::vector<std::size_t> items;
+    AcceptedNumbers numbers;
     AcceptanceNote note;
     DateOption today;
 };
@@ -38,13 +39,15 @@ void print_added(const AddedAcceptances& all, const std::filesystem::path& file)
 }
 
 int accept(const AcceptArguments& arguments) {
+    if (arguments.numbers.items.empty() && arguments.numbers.findings.empty())
+        throw Error("", "ITEM", "is missing: name a fault, or a --finding");
     const std::filesystem::path& file = arguments.output;
     require_distinct({&file, 1}, {&arguments.report, 1});
     require_place_for_file(file);
     const std::string today = arguments.today.date();
     const AcceptanceNote note = note_of(arguments, today);
     const AddedAcceptances all = accept_items(earlier_acceptances(file, today), file,
-                                              arguments.report, arguments.items, note);
+                                              arguments.report, arguments.numbers, note);
     write_text_file(file, acceptances_json(all.entries));
     print_added(all, file);
     return exit_pass;
@@ -61,8 +64,13 @@ void add_accept(CLI::App& app, Session& session) {
                     "report.json of keiko inspect, or a file of keiko check --json")
         ->required();
     command
-        .add_option("ITEM", arguments->items, "numbers of findings, as the report has them: 1, 2")
-        ->required()
+        .add_option("ITEM", arguments->numbers.items,
+                    "numbers of faults, as report.html and report.json have them, with all of "
+                    "their findings; of findings for a file of keiko check")
+        ->check(CLI::PositiveNumber);
+    command
+        .add_option("--finding", arguments->numbers.findings,
+                    "numbers of single findings, as the report lists them")
         ->check(CLI::PositiveNumber);
     command.add_option("--why", arguments->note.why, "reason")->required()->check(not_empty());
     command.add_option("--who", arguments->note.who, "who accepts [your login name]")

@@ -95,6 +95,8 @@ void resolve_options(InspectArguments& arguments) {
     arguments.symmetry.apply_to(options.preset);
     options.symmetry = arguments.symmetry.choice();
     options.acceptances = arguments.accepted.list();
+    if (is_preset_path(arguments.preset)) options.settings.emplace_back(arguments.preset);
+    if (!arguments.accepted.file().empty()) options.settings.push_back(arguments.accepted.file());
     options.scope = arguments.scope.scope();
     if (arguments.rig != "auto") {
         options.rig = arguments.rig;

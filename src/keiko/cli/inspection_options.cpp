@@ -7,6 +7,7 @@
 #include "keiko/base/log.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/session.h"
+#include "keiko/report/content/inspection_texts.h"
 
 #include <CLI/Validators.hpp>
 
@@ -238,6 +239,8 @@ AcceptanceList AcceptedOption::list() const {
 void warn_of_acceptances(const Inspection& inspection) {
     for (const AcceptanceRemark& remark : inspection.acceptance_remarks)
         log_warning(text_of(remark));
+    if (const std::string warning = curvature_not_judged(inspection); !warning.empty())
+        log_warning(warning);
 }
 
 void SymmetryOption::add_to_placement(CLI::App& command) {

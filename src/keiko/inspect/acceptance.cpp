@@ -20,8 +20,13 @@ bool has_kept(const MeasuredValue& now, double value, double bound) {
            (least <= 0 || now.value - now.bound >= least / largest_growth);
 }
 
+/// True if a finding is held to a closer limit than the one that was accepted.
+bool is_held_closer(const Acceptance& entry, const MeasuredValue& now) {
+    return now.at_least ? now.limit > entry.limit : now.limit < entry.limit;
+}
+
 bool has_grown(const Acceptance& entry, const Check& finding, std::span<const MeasuredSeam> seams) {
-    if (finding.worst.verdict > entry.verdict) return true;
+    if (finding.worst.verdict > entry.verdict || is_held_closer(entry, finding.worst)) return true;
     if (entry.stretch && !(seams[finding.seam].length <= entry.stretch->length * largest_growth))
         return true;
     return !has_kept(finding.worst, entry.value, entry.bound);

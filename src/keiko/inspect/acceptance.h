@@ -12,7 +12,7 @@
 namespace KEIKO_API keiko {
 
 /// A finding that a person accepted, as it was then. It covers one finding of the same code and
-/// near the same place, which has not grown by more than a tenth.
+/// near the same place, which has not grown by more than a tenth and is held to no closer limit.
 struct Acceptance {
     /// The stretch of a seam that the finding is of.
     struct Stretch {
@@ -45,7 +45,7 @@ struct AcceptanceRemark {
     /// Why it covers nothing.
     enum class Kind {
         expired, ///< its last day is over
-        grown,   ///< the finding there has grown by more than a tenth
+        grown,   ///< the finding there is worse, or is held to a closer limit
         unused   ///< there is no such finding near its place
     };
     Kind kind = Kind::unused;     ///< why

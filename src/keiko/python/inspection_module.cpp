@@ -105,7 +105,7 @@ std::size_t accept(const std::filesystem::path& report, const std::vector<std::s
                    const std::string& who, const std::string& until) {
     const AcceptanceList earlier = earlier_acceptances(output, date_today());
     const AcceptanceNote note{who, why, earlier.today, until};
-    const AddedAcceptances all = accept_items(earlier, output, report, items, note);
+    const AddedAcceptances all = accept_items(earlier, output, report, {{}, items}, note);
     FileTransaction outputs;
     outputs.add(output, acceptances_json(all.entries));
     outputs.write();

@@ -2,7 +2,6 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
-#include "keiko/report/content/acceptance_texts.h"
 #include "keiko/workflow/version.h"
 
 #include <algorithm>
@@ -57,12 +56,12 @@ AcceptanceList earlier_acceptances(const std::filesystem::path& file, std::strin
 }
 
 AddedAcceptances accept_items(const AcceptanceList& earlier, const std::filesystem::path& file,
-                              const std::filesystem::path& report,
-                              std::span<const std::size_t> items, const AcceptanceNote& note) {
+                              const std::filesystem::path& report, const AcceptedNumbers& numbers,
+                              const AcceptanceNote& note) {
     require_end(note, earlier.today);
     AddedAcceptances all{earlier.entries, {}, {}};
     for (Acceptance& entry :
-         acceptances_of_report(read_text_file(report), report.string(), items, note))
+         acceptances_of_report(read_text_file(report), report.string(), numbers, note))
         add(std::move(entry), earlier.today, file.string(), all);
     return all;
 }

@@ -2,10 +2,9 @@
 
 #include "keiko/base/export.h"
 #include "keiko/inspect/acceptance.h"
+#include "keiko/report/content/acceptance_texts.h"
 
-#include <cstddef>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -34,7 +33,7 @@ struct AddedAcceptances {
 /// and for a report that cannot be read. Throws FieldError for an `until` of the note that is no
 /// date, or that is over.
 AddedAcceptances accept_items(const AcceptanceList& earlier, const std::filesystem::path& file,
-                              const std::filesystem::path& report,
-                              std::span<const std::size_t> items, const AcceptanceNote& note);
+                              const std::filesystem::path& report, const AcceptedNumbers& numbers,
+                              const AcceptanceNote& note);
 
 } // namespace keiko

@@ -149,6 +149,7 @@ std::vector<InputFile> inputs_of(const Scene& scene, const InspectOptions& optio
         if (view.extension() == ".toml") inputs.push_back(view);
     if (scene.analysis && !scene.analysis->analysis.file.empty())
         inputs.emplace_back(scene.analysis->analysis.file);
+    inputs.insert(inputs.end(), options.settings.begin(), options.settings.end());
     return input_files(inputs);
 }
 

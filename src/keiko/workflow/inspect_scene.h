@@ -34,6 +34,9 @@ struct InspectOptions {
     bool joints = false;          ///< of panels that stand apart, too
     AcceptanceList acceptances{}; ///< findings that have no part in the verdict
     Scope scope{};                ///< part of the body that is judged
+    /// Files of the preset and the acceptances, for Report::inputs; TOML files with those they
+    /// name.
+    std::vector<std::filesystem::path> settings{};
 };
 
 /// Results of an inspection, for writing or display.

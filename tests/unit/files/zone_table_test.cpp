@@ -93,6 +93,7 @@ TEST(ZoneTable, RefusesWhatMakesNoSense) {
              {"[[zone]]\nname = \"outer-skin\"\nfaces = [\"*\"]\n", "is that of the scope"},
              {all + all, "'A' is that of an earlier zone"},
              {zone, "selects no faces"},
+             {zone + "facs = [\"*\"]\n", "did you mean 'faces'"},
              {zone + "faces = []\n", "must name at least one"},
              {zone + "layers = [\"\"]\n", "holds an empty name"},
              {zone + "colors = [\"red\"]\n", "'red' is no colour"},

@@ -84,15 +84,15 @@ TEST(AcceptanceFile, TakesFindingsOfAReport) {
     const Inspection found = inspect(test::model());
     const std::string report = inspection_json(found, "1");
     const std::vector<std::size_t> items{2, 1};
-    const std::vector<Acceptance> read = acceptances_of_report(report, "r.json", items, note);
+    const std::vector<Acceptance> read = acceptances_of_report(report, "r.json", {items, {}}, note);
     ASSERT_EQ(read.size(), 2u);
     for (const std::size_t i : {0, 1}) {
         const Acceptance whole = acceptance_of(found.findings.at(items[i] - 1), found.seams, note);
         EXPECT_EQ(acceptances_json({&read[i], 1}), acceptances_json({&whole, 1}));
     }
     const std::vector<std::size_t> beyond{99};
-    EXPECT_THROW(acceptances_of_report(report, "r.json", beyond, note), Error);
-    EXPECT_THROW(acceptances_of_report("{}", "r.json", items, note), Error);
+    EXPECT_THROW(acceptances_of_report(report, "r.json", {beyond, {}}, note), Error);
+    EXPECT_THROW(acceptances_of_report("{}", "r.json", {items, {}}, note), Error);
 }
 
 TEST(Dates, AreDaysOfTheCalendar) {

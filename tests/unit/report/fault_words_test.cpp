@@ -71,6 +71,35 @@ TEST(FaultWords, APatchToRebuildAndACreaseThatEndsAreNamed) {
     EXPECT_EQ(fault_title(fault, any.inspection), "Crease that ends (G1)");
 }
 
+TEST(FaultWords, JumpsTooFineForAnEyeStandByFallingRadius) {
+    Report any = report();
+    any.inspection.seams.resize(3);
+    for (const auto& [seam, radius] : {std::pair(0, 15.0), {1, 40.0}}) {
+        CurvatureStep step;
+        step.curvature_b = -1 / radius;
+        any.inspection.seams[std::size_t(seam)].curvature = step;
+    }
+    any.inspection.seams[2].curvature.reset();
+    TriageItem fault;
+    fault.findings = {0}, fault.seams = {0, 1, 2}, fault.fine = true;
+    EXPECT_EQ(also_text(fault, any.inspection), "seam 2 (R 40 mm), seam 1 (R 15 mm), seam 3");
+}
+
+TEST(FaultWords, HolesAreCounted) {
+    Report any = report();
+    const std::size_t first = any.inspection.findings.size();
+    for (const double length : {20.0, 0.0, 16.0}) {
+        Check check;
+        check.opening_length = length, check.seam = length > 0 ? no_index : 0;
+        any.inspection.findings.push_back(check);
+    }
+    TriageItem fault;
+    fault.findings = {first, first + 1};
+    EXPECT_EQ(fault_title(fault, any.inspection), "Hole");
+    fault.findings.push_back(first + 2);
+    EXPECT_EQ(fault_title(fault, any.inspection), "2 holes");
+}
+
 TEST(FaultWords, TitlesNameTheContinuityThatBreaks) {
     const Report any = report();
     TriageItem fault;

@@ -71,7 +71,7 @@ TEST(ReportHtml, TheFirstScreenBeginsWithTheStandingViews) {
     const auto picture = screen.find("standing-left, faults"), card = screen.find("class=\"name\"");
     ASSERT_NE(card, std::string::npos);
     EXPECT_LT(picture, card);
-    EXPECT_NE(screen.find("Curvature jumps (G2), too fine for an eye · rear right, high · seam 1"),
+    EXPECT_NE(screen.find("Tangent only (G2), too fine for an eye · rear right, high · seam 1"),
               std::string::npos);
     EXPECT_NE(screen.find("at most 0.4′ (arc minutes), less than an eye resolves"),
               std::string::npos);

@@ -146,9 +146,13 @@ const CriteriaPreset& preset_by_name(std::string_view name) {
                     "; there are " + comma_list(names) + ", or the path of a .toml file");
 }
 
-CriteriaPreset preset_by_name_or_file(const std::string& name_or_file) {
+bool is_preset_path(const std::string& name_or_file) {
     const std::filesystem::path path(name_or_file);
-    if (path.extension() == ".toml" || path.has_parent_path()) return read_preset(path);
+    return path.extension() == ".toml" || path.has_parent_path();
+}
+
+CriteriaPreset preset_by_name_or_file(const std::string& name_or_file) {
+    if (is_preset_path(name_or_file)) return read_preset(name_or_file);
     return preset_by_name(name_or_file);
 }
 

@@ -22,6 +22,9 @@ std::span<const CriteriaPreset> standard_presets();
 /// Standard preset of a name; throws Error listing the known ones.
 const CriteriaPreset& preset_by_name(std::string_view name);
 
+/// True for a text that is the path of a preset file, no standard preset's name: it ends in .toml
+/// or holds a folder.
+bool is_preset_path(const std::string& name_or_file);
 /// Preset of a file where the text ends in .toml or holds a folder, else the standard preset of
 /// that name.
 CriteriaPreset preset_by_name_or_file(const std::string& name_or_file);

@@ -68,9 +68,9 @@ FaceSelection selection_from(const TomlTable& table) {
     selection.colors = colors_from(table);
     selection.box = box_from(table);
     selection.visible = table.number("visible", {.low = 0, .high = 1, .above_low = true});
-    if (selection.is_empty())
-        throw table.error("", "selects no faces: it needs faces, layers, colors, box or visible");
-    return selection;
+    if (!selection.is_empty()) return selection;
+    table.refuse_misspelt();
+    throw table.error("", "selects no faces: it needs faces, layers, colors, box or visible");
 }
 
 /// A preset's limits with all that zones share taken from another.

@@ -49,7 +49,7 @@ std::string text_of(const AcceptanceRemark& remark) {
             return name + " does not cover the finding there, which is worse than what was " +
                    "accepted: " + short_number(remark.finding->worst.value) + " instead of " +
                    short_number(entry.value) + " " + entry.unit +
-                   ", more uncertain, or on a longer stretch";
+                   ", more uncertain, on a longer stretch, or held to a closer limit";
         case AcceptanceRemark::Kind::unused:
             break;
     }

@@ -30,10 +30,19 @@ std::string acceptances_json(std::span<const Acceptance> entries);
 /// and the reason.
 std::vector<Acceptance> acceptances_from_json(const std::string& text, const std::string& file);
 
-/// Acceptances of findings of a report (keiko-inspection/1 or keiko-report/1), by their numbers,
-/// from 1. Throws Error for a text that is none, and for a number without a finding.
+/// Faults and findings of a report to accept, by numbers from 1.
+struct AcceptedNumbers {
+    /// Faults of a keiko-report/1, each with all of its findings; of a keiko-inspection/1, which
+    /// has no faults, findings.
+    std::vector<std::size_t> items;
+    std::vector<std::size_t> findings; ///< single ones, of either
+};
+
+/// Acceptances of findings of a report (keiko-inspection/1 or keiko-report/1), each once, in the
+/// order of `numbers`. What is only worth a look in a fault is left out. Throws Error for a text
+/// that is none, for a number without a fault or a finding, and for what has no part in a verdict.
 std::vector<Acceptance> acceptances_of_report(const std::string& text, const std::string& file,
-                                              std::span<const std::size_t> items,
+                                              const AcceptedNumbers& numbers,
                                               const AcceptanceNote& note);
 
 } // namespace keiko

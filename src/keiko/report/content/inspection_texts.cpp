@@ -1,5 +1,6 @@
 #include "keiko/report/content/inspection_texts.h"
 
+#include "keiko/base/text.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <map>
@@ -45,14 +46,30 @@ std::string nothing_judged(const Inspection& inspection) {
 }
 
 std::string joints_not_judged(const Inspection& inspection) {
-    if (!inspection.joints) return "";
+    const JointLimits& limits = inspection.preset.joint;
+    const bool of_a_design = limits.gap || limits.flush || limits.radius;
+    if (!inspection.joints)
+        return of_a_design ? "no joint was judged: [joint] has limits, but joints were not sought"
+                           : "";
     if (inspection.joints->empty())
         return "no joint was found: no two panels end side by side within " +
                short_number(inspection.preset.joint.widest) + " mm";
-    const JointLimits& limits = inspection.preset.joint;
-    if (limits.gap || limits.flush || limits.parallelism || limits.radius) return "";
+    if (of_a_design || limits.parallelism) return "";
     return "no joint was judged: the preset " + inspection.preset.name +
            " has no limits in [joint]";
+}
+
+std::string curvature_not_judged(const Inspection& inspection) {
+    std::vector<std::string> names;
+    for (const std::uint32_t index : inspection.accepted_seams) {
+        const MeasuredSeam& seam = inspection.seams[index];
+        if (seam.kind == SeamClass::smooth && !seam.curvature &&
+            limits_of(inspection, seam).curvature)
+            names.push_back("seam " + std::to_string(index + 1) + " (" + seam.faces + ")");
+    }
+    if (names.empty()) return "";
+    return "the curvature was not judged where a gap or an angle fails and is accepted: " +
+           comma_list(names);
 }
 
 std::vector<FoldedRemark> folded_remarks(const Diagnostics& remarks) {

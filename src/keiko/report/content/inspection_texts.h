@@ -36,8 +36,13 @@ std::string unmet_borders(const ModelFacts& facts);
 /// distance within which seams were searched. Else empty.
 std::string nothing_judged(const Inspection& inspection);
 
-/// Warning if joints were sought and none was found, or none judged; else empty.
+/// Warning if joints were sought and none was found, or none judged, and if their gap, flush or
+/// radius has limits and they were not sought; else empty.
 std::string joints_not_judged(const Inspection& inspection);
+
+/// Warning of the stretches whose curvature was not judged, as their gap or angle fails and is
+/// accepted; empty if there are none, or if the limits judge no curvature.
+std::string curvature_not_judged(const Inspection& inspection);
 
 /// One remark, or several equal ones, for people.
 struct FoldedRemark {

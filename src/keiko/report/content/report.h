@@ -64,7 +64,7 @@ struct InputFile {
 /// All contents of a report. Values only: the same report gives the same bytes.
 struct Report {
     std::string tool_version;                ///< version of Keiko that made it
-    std::vector<InputFile> inputs;           ///< models, scene, rig and views, each once
+    std::vector<InputFile> inputs;           ///< models, scene, rig, views and settings, each once
     std::vector<std::string> opened;         ///< the models in order, or the scene file
     std::vector<NamedView> views;            ///< of `pictures`, in order
     Inspection inspection;                   ///< seams, faces and their verdicts

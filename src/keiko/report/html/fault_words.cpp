@@ -28,7 +28,7 @@ std::string effect_of(const TriageItem& fault) {
 
 /// The mending of a fault in words.
 std::string_view task_of(const TriageItem& fault) {
-    if (fault.fine) return "a matter of design";
+    if (fault.fine) return "one job for the design: a lead-in, at the largest radius first";
     switch (fault.mending) {
         case Mending::position:
             return "mend the position";
@@ -102,6 +102,39 @@ std::vector<Others> other_findings(const TriageItem& fault, const Inspection& in
     return others;
 }
 
+/// Number of holes of a fault that a hole leads; 0 for others.
+std::size_t holes_of(const TriageItem& fault, const Inspection& inspection) {
+    const auto is_hole = [&](std::size_t number) {
+        return numbered_check(inspection, number).opening_length > 0;
+    };
+    if (!is_hole(fault.findings.front())) return 0;
+    return static_cast<std::size_t>(
+        std::count_if(fault.findings.begin(), fault.findings.end(), is_hole));
+}
+
+/// mm: the smaller radius across a stretch, where its curvatures differ most; 0 if it is not known.
+double radius_at(const MeasuredSeam& seam) {
+    if (!seam.curvature) return 0;
+    const double most =
+        std::max(std::abs(seam.curvature->curvature_a), std::abs(seam.curvature->curvature_b));
+    return most > 0 ? 1 / most : 0;
+}
+
+/// The stretches of a fault by falling radius, the radius with each: "seam 15 (R 40 mm)".
+std::string by_radius(const TriageItem& fault, const Inspection& inspection) {
+    std::vector<std::uint32_t> seams = fault.seams;
+    std::stable_sort(seams.begin(), seams.end(), [&](std::uint32_t a, std::uint32_t b) {
+        return radius_at(inspection.seams[a]) > radius_at(inspection.seams[b]);
+    });
+    std::string text;
+    for (const std::uint32_t seam : seams) {
+        const double radius = radius_at(inspection.seams[seam]);
+        text += (text.empty() ? "seam " : ", seam ") + std::to_string(seam + 1);
+        if (radius > 0) text += " (R " + short_number(radius, 3) + " mm)";
+    }
+    return text;
+}
+
 /// The third of an interval in which a number lies, in words.
 std::string_view third(double at, double lower, double upper, std::string_view low,
                        std::string_view middle, std::string_view high) {
@@ -118,9 +151,9 @@ std::string message_of_worst(const Check& worst) {
 }
 
 std::string fault_title(const TriageItem& fault, const Inspection& inspection) {
-    if (fault.fine) return "Curvature jumps (G2), too fine for an eye";
-    const Check& worst = numbered_check(inspection, fault.findings.front());
-    if (worst.opening_length > 0) return "Hole";
+    if (fault.fine) return "Tangent only (G2), too fine for an eye";
+    if (const std::size_t holes = holes_of(fault, inspection); holes > 0)
+        return holes == 1 ? "Hole" : std::to_string(holes) + " holes";
     const bool is_of_seams = !fault.seams.empty();
     switch (fault.mending) {
         case Mending::position:
@@ -172,6 +205,7 @@ std::string sight_text(const TriageItem& fault, const Inspection& inspection) {
 }
 
 std::string also_text(const TriageItem& fault, const Inspection& inspection) {
+    if (fault.fine) return by_radius(fault, inspection);
     constexpr std::size_t most = 5;
     const std::vector<Others> others = other_findings(fault, inspection);
     std::string text;

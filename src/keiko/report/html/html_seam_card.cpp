@@ -41,9 +41,15 @@ std::string lamp_shift(double degrees) {
     return " · " + fixed_number(shift, 1) + " mm at 2 m";
 }
 
-std::string angle_measure(const MeasuredSeam& seam) {
+/// `left`: degrees that are left where a crease ends at the stretch; 0 for others.
+std::string angle_measure(const MeasuredSeam& seam, double left) {
     if (!seam.angle) return measure("angle", "crease", "–", "no normal on one side", 0);
     const MeasuredValue& angle = *seam.angle;
+    if (left > 0)
+        return measure(
+            "angle", name_of(angle.verdict), fixed_number(left, 3) + "°",
+            "where the crease ends, limit " + short_number(angle.limit) + "°" + lamp_shift(left),
+            share_of_limit(angle));
     const std::string value = fixed_number(angle.value, 3) + "°";
     if (seam.kind == SeamClass::crease)
         return measure("angle", "crease", value, "a crease, not judged", 1);
@@ -186,9 +192,9 @@ std::string html_seam_card(const Report& report, std::size_t rank, const ShownIt
            note + "<div class=\"soft small\">at " + place_with_axes(item.place) +
            irregular_note(seam) + " · seam of " + fixed_number(seam.length, 1) + " mm" +
            kind_note(seam) + "</div><div class=\"measures\">" + gap_measure(seam) +
-           angle_measure(seam) + curvature_measure(seam, shown, limits) +
-           slope_measure(seam, limits) + fading_measure(seam) + "</div>" +
-           folded_profile_of(report, index) + "</div>" +
+           angle_measure(seam, item.fault ? item.fault->left_of_crease : 0) +
+           curvature_measure(seam, shown, limits) + slope_measure(seam, limits) +
+           fading_measure(seam) + "</div>" + folded_profile_of(report, index) + "</div>" +
            html_close_up(report, CloseUp::Of::seam, index, item.place) + "</div>\n";
 }
 

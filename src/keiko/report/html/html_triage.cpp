@@ -93,7 +93,10 @@ std::string_view introduction(const Report& report) {
            "the standing views: how far the reflection of a lamp breaks. The weight is the break, "
            "in arc minutes, that is as easily seen along one degree. A change of a stripe's width "
            "counts a twelfth of a tear. A gap counts half of the angle that is as far over its "
-           "limit, and a hole too.</p>";
+           "limit, and a hole too. In the pictures yellow dots are the seams of a fault, and a "
+           "ring "
+           "is about a hole or a face. Cards are red at the side where a limit is not kept, amber "
+           "where it is undecided or not judged.</p>";
 }
 
 /// The card of an item of the first screen.

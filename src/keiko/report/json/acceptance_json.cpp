@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace keiko {
@@ -113,13 +114,34 @@ Json report_from(const std::string& text) {
     return json;
 }
 
-Acceptance acceptance_of_item(const Json& report, std::size_t item, const AcceptanceNote& note) {
-    const Json& findings = report.at("findings");
-    require(item >= 1 && item <= findings.size(), "",
-            "there is no such finding; there are " + std::to_string(findings.size()));
-    const Json& finding = findings[item - 1];
-    require(finding.at("severity") == "judged", "",
-            "is worth a look alone: it has no part in the verdict");
+const Json& numbered(const Json& array, std::size_t number, const std::string& kind) {
+    require(number >= 1 && number <= array.size(), "",
+            "there is no such " + kind + "; there are " + std::to_string(array.size()));
+    return array[number - 1];
+}
+
+bool is_judged(const Json& finding) {
+    return finding.at("severity") == "judged";
+}
+
+/// Numbers of the judged findings of an item.
+std::vector<std::size_t> findings_of_item(const Json& report, std::size_t item) {
+    if (!report.contains("triage")) return {item};
+    const Json& fault = numbered(report.at("triage").at("items"), item, "fault");
+    std::vector<std::size_t> judged;
+    for (const Json& number : fault.at("findings")) {
+        const std::size_t finding = number.get<std::size_t>();
+        if (is_judged(numbered(report.at("findings"), finding, "finding")))
+            judged.push_back(finding);
+    }
+    require(!judged.empty(), "", "is worth a look alone: it has no part in the verdict");
+    return judged;
+}
+
+Acceptance acceptance_of_finding(const Json& report, std::size_t number,
+                                 const AcceptanceNote& note) {
+    const Json& finding = numbered(report.at("findings"), number, "finding");
+    require(is_judged(finding), "", "is worth a look alone: it has no part in the verdict");
     Acceptance entry = finding_from(finding);
     const Json& bound = finding.at("bound"); // null if there is none
     entry.bound = bound.is_null() ? std::numeric_limits<double>::infinity() : real_from(bound);
@@ -153,14 +175,24 @@ std::vector<Acceptance> acceptances_from_json(const std::string& text, const std
 }
 
 std::vector<Acceptance> acceptances_of_report(const std::string& text, const std::string& file,
-                                              std::span<const std::size_t> items,
+                                              const AcceptedNumbers& numbers,
                                               const AcceptanceNote& note) {
     const Json report = with_errors_named(file, "", [&] { return report_from(text); });
     std::vector<Acceptance> entries;
-    for (const std::size_t item : items)
-        entries.push_back(with_errors_named(file, "item " + std::to_string(item), [&] {
-            return acceptance_of_item(report, item, note);
-        }));
+    std::set<std::size_t> known;
+    const auto add = [&](std::size_t finding, const std::string& part) {
+        if (known.insert(finding).second)
+            entries.push_back(with_errors_named(
+                file, part, [&] { return acceptance_of_finding(report, finding, note); }));
+    };
+    for (const std::size_t item : numbers.items) {
+        const std::string part = "item " + std::to_string(item);
+        for (const std::size_t finding :
+             with_errors_named(file, part, [&] { return findings_of_item(report, item); }))
+            add(finding, part);
+    }
+    for (const std::size_t finding : numbers.findings)
+        add(finding, "finding " + std::to_string(finding));
     return entries;
 }
 
