@@ -115,6 +115,36 @@ TEST(FieldModel, HoldsTheValuesAndSlopesOfEveryField) {
         }
 }
 
+/// No ray of a box that is left out meets the stretch of the C-plane.
+TEST(FieldModel, LeavesOutBoxesWhoseRaysAllMissAStretch) {
+    test::Random random(12);
+    const CPlane lamps = lamps_above();
+    CPlane exchanged = lamps;
+    exchanged.u = lamps.v, exchanged.v = lamps.u;
+    constexpr double low = 1200, high = 1900;
+    int left_out = 0;
+    for (const SurfaceModel& model : models())
+        for (int i = 0; i < 300; ++i) {
+            const BezierPatchView patch =
+                model.patch(static_cast<std::uint32_t>(test::pick(random, model.patches.size())));
+            const PatchBox box = random_box(patch, 3 + i % 8, random);
+            for (const LineLook look : {LineLook::reflection, LineLook::highlight}) {
+                const LineField field(look, LineEye(Camera{}), lamps, Vec3(0));
+                const LineField other(look, LineEye(Camera{}), exchanged, Vec3(0));
+                if (FieldModel(box, field, 0).may_meet(other, low, high)) continue;
+                ++left_out;
+                for (int k = 0; k < 20; ++k) {
+                    const Vec2 at(test::uniform(random, 0, 1), test::uniform(random, 0, 1));
+                    const Vec2 uv = box.uv().lower + at * box.uv().extent();
+                    const LineRatio<FirstJet> real = exact(patch, box.uv(), uv, other, 0);
+                    const double value = real.above.f / real.below.f;
+                    EXPECT_TRUE(value < low || value > high || !(real.ahead.f > 0)) << value;
+                }
+            }
+        }
+    EXPECT_GT(left_out, 300);
+}
+
 /// Boxes with a pole may be singular, others soon are not.
 TEST(FieldModel, SeesWhereTheNormalMayVanish) {
     const SurfaceModel sphere = test::sphere_model({});

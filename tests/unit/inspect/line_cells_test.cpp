@@ -9,11 +9,16 @@ namespace {
 
 constexpr double lamp_pitch = 300; // mm
 
-LineField field_over(LineLook look) {
+CPlane lamps_over() {
     CPlane lamps;
     lamps.origin = {-1800, -1800, 2500}, lamps.u = {3600, 500, 0}, lamps.v = {-500, 3600, 0};
+    return lamps;
+}
+
+LineField field_over(LineLook look, const CPlane& lamps = lamps_over(),
+                     const Vec3& eye = {-2500, -600, 1500}) {
     Camera camera;
-    camera.eye = {-2500, -600, 1500};
+    camera.eye = eye;
     return {look, LineEye(camera), lamps, Vec3(0)};
 }
 
@@ -25,21 +30,25 @@ std::vector<double> levels_of(LineLook look) {
     return levels;
 }
 
-LineRatio<double> ratio(const BezierPatchView& patch, const LineField& field, const Vec2& uv,
-                        double level) {
-    const SurfaceDerivatives s = evaluate(patch, uv, 1);
-    const Vec3 n = s.du().cross(s.dv());
-    return field.ratio(Triple<double>{s.position().x, s.position().y, s.position().z},
-                       Triple<double>{n.x, n.y, n.z}, level);
-}
-
 double residual(const BezierPatchView& patch, const LineField& field, const Vec2& uv,
                 double level) {
-    return ratio(patch, field, uv, level).residual(0);
+    const SurfaceDerivatives s = evaluate(patch, uv, 1);
+    const Vec3 n = s.du().cross(s.dv());
+    return field
+        .ratio(Triple<double>{s.position().x, s.position().y, s.position().z},
+               Triple<double>{n.x, n.y, n.z}, level)
+        .residual(0);
 }
 
 int sign(double x) {
     return x < 0 ? -1 : 1;
+}
+
+/// True if the ray of a place meets the C-plane between the ends of the lamps.
+bool meets_lamps(const BezierPatchView& patch, const LineField& field, const Vec2& uv) {
+    const SurfaceDerivatives s = evaluate(patch, uv, 1);
+    const LineField::Image image = field.image(s.position(), s.du().cross(s.dv()));
+    return image.faces && image.along >= 0 && image.along <= field.plane().length;
 }
 
 /// Random short chords whose ends lie on two sides of a level must cross one of its cells, where
@@ -53,7 +62,7 @@ TEST(LineCells, HoldEveryPlaceWhereTheFieldPassesALevel) {
         const std::vector<double> levels = levels_of(look);
         const auto cells = line_cells(patch, field, levels);
         int crossings = 0;
-        for (int i = 0; i < 4000; ++i) {
+        for (int i = 0; i < 6000; ++i) {
             const Vec2 a(test::uniform(random, 0, 1), test::uniform(random, 0, 1));
             const Vec2 b(a.x, test::uniform(random, 0, 1));
             for (std::uint32_t level = 0; level < levels.size(); ++level) {
@@ -65,7 +74,7 @@ TEST(LineCells, HoldEveryPlaceWhereTheFieldPassesALevel) {
                     (sign(residual(patch, field, middle, levels[level])) == at_low ? low : high) =
                         middle;
                 }
-                if (!(ratio(patch, field, low, levels[level]).ahead > 0)) continue;
+                if (!meets_lamps(patch, field, low)) continue;
                 ++crossings;
                 EXPECT_TRUE(std::any_of(cells.begin(), cells.end(),
                                         [&](const LineCell& cell) {
@@ -87,6 +96,37 @@ TEST(LineCells, AreProvedAndFewOnASmoothPanel) {
     EXPECT_LT(cells.size(), 2000u);
     RecordProperty("cells", static_cast<int>(cells.size()));
     for (const LineCell& cell : cells) EXPECT_TRUE(cell.proved) << cell.uv.lower;
+}
+
+/// The least coordinate along the lamps that a patch mirrors, mm.
+double least_along(const BezierPatchView& patch, const LineField& field) {
+    double least = 1e9;
+    for (double u = 0; u <= 1; u += 1.0 / 32)
+        for (double v = 0; v <= 1; v += 1.0 / 32) {
+            const SurfaceDerivatives s = evaluate(patch, {u, v}, 1);
+            const LineField::Image image = field.image(s.position(), s.du().cross(s.dv()));
+            if (image.faces) least = std::min(least, image.along);
+        }
+    return least;
+}
+
+/// A row that ends well before all that the panel mirrors has no lines, and needs no proofs. One
+/// that ends a little behind the first mirrored place has some.
+TEST(LineCells, AreNoneBeyondTheEndsOfTheLamps) {
+    const SurfaceModel model = test::bonnet_model(300, 350, 20);
+    const BezierPatchView patch = model.patch(0);
+    const CPlane lamps = lamps_over();
+    const Vec3 above(-300, -200, 2000);
+    for (const LineLook look : {LineLook::reflection, LineLook::highlight}) {
+        const double begin = least_along(patch, field_over(look, lamps, above));
+        const auto cells_up_to = [&](double end) {
+            CPlane moved = lamps;
+            moved.origin += lamps.u.normalized() * (end - lamps.u.length());
+            return line_cells(patch, field_over(look, moved, above), levels_of(look));
+        };
+        EXPECT_TRUE(cells_up_to(begin - 1500).empty()) << name_of(look);
+        EXPECT_FALSE(cells_up_to(begin + 300).empty()) << name_of(look);
+    }
 }
 
 TEST(LineCells, AreNoneWhereNoneAreWanted) {

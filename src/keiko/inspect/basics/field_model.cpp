@@ -3,16 +3,31 @@
 #include <type_traits>
 
 namespace keiko {
+namespace {
+
+/// False only if the function is nowhere above 0.
+bool may_be_positive(const TaylorModel& model) {
+    return !(peak(model).bound < 0);
+}
+
+} // namespace
 
 FieldModel::FieldModel(const PatchBox& box, const LineField& field, double shift)
     : field_(field),
       shift_(shift),
       rational_(box.view().rational()),
       patch_(patch_model(box.view(), box.rounding())),
-      values_(ratio<TaylorModel>()) {}
+      values_(ratio<TaylorModel>(field, shift)) {}
 
 bool FieldModel::may_face_plane() const {
-    return !(peak(values_.ahead).bound < 0);
+    return may_be_positive(values_.ahead);
+}
+
+bool FieldModel::may_meet(const LineField& other, double low, double high) const {
+    const LineRatio<TaylorModel> value = ratio<TaylorModel>(other, low);
+    // The denominator has either sign, its square has one.
+    return may_be_positive(value.above * value.below) &&
+           may_be_positive(-value.residual(high - low) * value.below);
 }
 
 bool FieldModel::may_be_singular() const {
@@ -42,13 +57,13 @@ Triple<T> FieldModel::normal() const {
 }
 
 template <class T>
-LineRatio<T> FieldModel::ratio() const {
+LineRatio<T> FieldModel::ratio(const LineField& field, double shift) const {
     const PatchModel& m = patch_;
     const Triple<T> place = point<T>(m.s, m.x, m.y);
-    if (!rational_) return field_.ratio(place, normal<T>(), shift_);
-    return field_.ratio(place, normal<T>(), shift_, of<T>(m.s.w, m.x.w, m.y.w));
+    if (!rational_) return field.ratio(place, normal<T>(), shift);
+    return field.ratio(place, normal<T>(), shift, of<T>(m.s.w, m.x.w, m.y.w));
 }
 
-template LineRatio<Jet<TaylorModel>> FieldModel::ratio() const;
+template LineRatio<Jet<TaylorModel>> FieldModel::ratio(const LineField& field, double shift) const;
 
 } // namespace keiko

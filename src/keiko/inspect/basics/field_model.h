@@ -19,10 +19,13 @@ public:
     bool may_face_plane() const;
     /// False only if the level, counted from the shift, is nowhere in the box.
     bool may_hold(double level) const { return may_vanish(values_.residual(level)); }
+    /// False only if no ray of the box that runs to the C-plane of another field, of the same kind
+    /// and viewpoint, meets it where that field's value is between `low` and `high`.
+    bool may_meet(const LineField& other, double low, double high) const;
     /// False only if the surface has a normal everywhere in the box.
     bool may_be_singular() const;
     /// The field with its slopes by x and y.
-    LineRatio<Jet<TaylorModel>> sloped() const { return ratio<Jet<TaylorModel>>(); }
+    LineRatio<Jet<TaylorModel>> sloped() const { return ratio<Jet<TaylorModel>>(field_, shift_); }
 
 private:
     /// A function over the box: its value, or its value and slopes.
@@ -36,7 +39,7 @@ private:
     template <class T>
     Triple<T> normal() const;
     template <class T>
-    LineRatio<T> ratio() const;
+    LineRatio<T> ratio(const LineField& field, double shift) const;
 
     const LineField& field_;
     double shift_;

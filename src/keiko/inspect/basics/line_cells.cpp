@@ -41,11 +41,20 @@ double middle_of(const Levels& some, std::span<const double> levels) {
     return (levels[*low] + levels[*high]) / 2;
 }
 
+/// The field whose value is the coordinate along the lamps, from the same corner.
+LineField field_along(const LineField& field) {
+    const CPlaneFrame& plane = field.plane();
+    CPlane exchanged;
+    exchanged.origin = plane.origin;
+    exchanged.u = plane.v, exchanged.v = plane.u * plane.length;
+    return {field.look(), field.eye(), exchanged, plane.origin};
+}
+
 class CellSearch {
 public:
     CellSearch(const LineField& field, std::span<const double> levels,
                const LineCellOptions& options)
-        : field_(field), levels_(levels), options_(options) {}
+        : field_(field), along_(field_along(field)), levels_(levels), options_(options) {}
 
     std::vector<LineCell> run(const BezierPatchView& patch) {
         Levels every(levels_.size());
@@ -69,7 +78,7 @@ private:
         Levels left;
         for (const std::uint32_t level : task.levels)
             if (model.may_hold(levels_[level] - shift)) left.push_back(level);
-        if (left.empty()) return;
+        if (left.empty() || !may_meet_lamps(model)) return;
         const LineRatio<Jet<TaylorModel>> sloped = model.sloped();
         Levels undecided;
         double slope_u = 0, slope_v = 0; // the largest of the undecided levels
@@ -84,6 +93,15 @@ private:
             slope_u = std::max(slope_u, largest(f.u)), slope_v = std::max(slope_v, largest(f.v));
         }
         if (!undecided.empty()) cut(task, model, undecided, give_up, slope_u >= slope_v);
+    }
+
+    /// False only if all rays of the box that run to the C-plane pass the ends of the lamps.
+    /// Isophotes have none.
+    bool may_meet_lamps(const FieldModel& model) const {
+        constexpr double rounding = 1e-9; // of a coordinate along the lamps, in their lengths
+        if (field_.look() == LineLook::isophote) return true;
+        const double length = field_.plane().length, margin = rounding * length;
+        return model.may_meet(along_, -margin, length + margin);
     }
 
     void cut(const Task& task, const FieldModel& model, const Levels& levels, bool give_up,
@@ -102,6 +120,7 @@ private:
     }
 
     const LineField& field_;
+    const LineField along_;
     std::span<const double> levels_;
     const LineCellOptions& options_;
     std::deque<Task> open_;

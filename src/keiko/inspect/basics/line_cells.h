@@ -40,8 +40,8 @@ struct LineCellOptions {
     std::function<bool(const Box2&)> unwanted = {};
 };
 
-/// Cells that together hold every point of every level's line on the patch where the field's ray
-/// runs to the C-plane and lines are wanted. The patch's control points are in world coordinates.
+/// Cells that together hold every wanted point of every level's line where the field's ray meets
+/// the C-plane between the ends of its lamps. The patch's control points are in world coordinates.
 /// Boxes are cut until bounds of the field by Taylor models exclude the level or prove the cell.
 /// They are in the order of the search, which is the same for any thread count.
 std::vector<LineCell> line_cells(const BezierPatchView& patch, const LineField& field,
