@@ -6,7 +6,7 @@
 #define KEIKO_INTERSECT_NEWTON_INL_H
 #endif
 
-#include "keiko/intersect/kernels/ray_planes-inl.h"
+#include "keiko/intersect/kernels/existence_test-inl.h"
 #include "keiko/intersect/kernels/sub_patch_jet-inl.h"
 
 HWY_BEFORE_NAMESPACE();
