@@ -7,6 +7,7 @@ import unittest
 
 from keiko_process import BINARY, SMALL, SOURCE, KeikoTest, surface
 from regress_suite import RegressTest, move_point_of_dome
+from step_text import StepText
 
 REPORTS = ("parts.json", "index.html", "junit.xml")
 MODELS = ("dome.bpt", "saddle.bpt", "seam-g0-gap.step")
@@ -235,6 +236,16 @@ class Bodies(KeikoTest):
         merged = self.keiko("merge", "-q", "out")
         self.assertEqual(merged.returncode, 2)
         self.assertEqual(merged.stdout.splitlines()[:3], lines[:3])
+
+    def test_warnings_name_the_body_that_they_are_of(self):
+        step = StepText(surface("hood.step"))
+        of = step.surface_of(step.faces()[1])
+        step.entities[of] = "UN" + step.entities[of]
+        step.write(self.folder / "torn.step")
+        for command, *more in ("check",), ("inspect", "--view", "high-front", *SMALL):
+            run = self.keiko(command, "-q", "torn.step", surface("dome.bpt"), "-o", command, "--shard", "1/1", *more)
+            self.assertRegex(run.stderr, r"\A(keiko: warning: torn: .*\n)+\Z")
+            self.assertRegex(run.stderr, r"torn: face \d+ is missing: ")
 
     def test_options_that_name_one_place_for_all_are_refused(self):
         for more in (("--json", "a.json"), ("--csv", "a.csv")):

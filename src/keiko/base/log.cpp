@@ -5,6 +5,8 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <utility>
+
 namespace keiko {
 namespace {
 
@@ -15,6 +17,12 @@ spdlog::logger& logger() {
         return created;
     }();
     return *instance;
+}
+
+/// Name before the warnings of a thread, with ": ".
+std::string& warning_subject() {
+    thread_local std::string subject;
+    return subject;
 }
 
 } // namespace
@@ -37,7 +45,14 @@ void log_detail(std::string_view message) {
     logger().debug(one_line(message));
 }
 void log_warning(std::string_view message) {
-    logger().warn("warning: {}", one_line(message));
+    logger().warn("warning: {}{}", warning_subject(), one_line(message));
+}
+
+WarningSubject::WarningSubject(std::string_view name)
+    : before_(std::exchange(warning_subject(), one_line(name) + ": ")) {}
+
+WarningSubject::~WarningSubject() {
+    warning_subject() = std::move(before_);
 }
 
 void log_warnings(std::span<const std::string> messages) {

@@ -22,6 +22,18 @@ void log_detail(std::string_view message);
 void log_warning(std::string_view message);
 /// Logs each message as a warning, in their order.
 void log_warnings(std::span<const std::string> messages);
+/// Puts a name before every warning of this thread while it lives: "warning: hood: face 3 ...". One
+/// inside another replaces its name.
+class WarningSubject {
+public:
+    explicit WarningSubject(std::string_view name);
+    ~WarningSubject();
+    WarningSubject(const WarningSubject&) = delete;
+    WarningSubject& operator=(const WarningSubject&) = delete;
+
+private:
+    std::string before_; ///< the name that it replaces
+};
 /// Logs the one clear line of a failure.
 void log_error(std::string_view message);
 

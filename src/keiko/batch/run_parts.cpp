@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/input_file.h"
+#include "keiko/base/log.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/sha256.h"
 #include "keiko/batch/balanced_shards.h"
@@ -73,6 +74,7 @@ PartOutcome outcome_of(const PlannedPart& part, const fs::path& model, const Par
                        const JudgePart& judge, const Job& job) {
     const fs::path folder = options.output / part_folder(part.name);
     if (PartOutcome kept = kept_outcome(folder, part.key); kept.name == part.name) return kept;
+    const WarningSubject subject(part.name);
     try {
         PartResult result = judge(model, folder, job);
         if (key_of(model, options) != part.key)
