@@ -1,6 +1,7 @@
 """--shard of regress, check and inspect, and keiko merge: shares, resuming, what is refused."""
 import json
 import os
+import resource
 import signal
 import subprocess
 import unittest
@@ -17,6 +18,11 @@ def slurm_task(number: int, count: int) -> dict:
     """Environment of a task of an array from 1."""
     return {**os.environ, "SLURM_JOB_ID": "7", "SLURM_ARRAY_TASK_ID": str(number), "SLURM_ARRAY_TASK_MIN": "1",
             "SLURM_ARRAY_TASK_MAX": str(count), "SLURM_ARRAY_TASK_COUNT": str(count)}
+
+
+def files_up_to(size: int) -> dict:
+    """Options of a process whose files cannot grow beyond `size` bytes, like those on a disk that is full."""
+    return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))}
 
 
 class Regressions(RegressTest):
@@ -155,6 +161,24 @@ class Regressions(RegressTest):
         self.assertEqual((self.folder / "out/shard-1/a/candidate/manifest.json").stat().st_mtime_ns, kept)
         self.assertEqual(self.merge().returncode, 1)
 
+    def test_a_full_disk_loses_nothing(self):
+        for name in "a", "b":
+            self.add_fixture(name)
+        self.regress(output="whole")
+        command = ("regress", "-q", "suite", "-o", "out", "--shard", "1/1")
+        run = self.keiko(*command, **files_up_to(1000))
+        self.assertRegex(run.stderr, r"\Akeiko: out/shard-1/\S+: cannot write: File too large\n\Z")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.refuses_to_merge("shard 1 of 1 is missing, with a, b")
+        self.assertEqual([name for name in self.content() if ".keiko-" in name], [])
+        self.assertEqual(self.keiko(*command).returncode, 1)
+        run = self.keiko("merge", "-q", "out", **files_up_to(1000))
+        self.assertRegex(run.stderr, r"\Akeiko: out/\S+: cannot write: File too large\n\Z")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertEqual([name for name in os.listdir(self.folder / "out") if name.endswith(("ml", ".tmp"))], [])
+        self.assertEqual(self.merge().returncode, 1)
+        self.assertEqual(self.reports("out"), self.reports("whole"))
+
     def test_more_shards_than_fixtures_are_no_error(self):
         self.add_fixture("a")
         self.regress(output="whole")
@@ -236,6 +260,34 @@ class Bodies(KeikoTest):
         merged = self.keiko("merge", "-q", "out")
         self.assertEqual(merged.returncode, 2)
         self.assertEqual(merged.stdout.splitlines()[:3], lines[:3])
+
+    def test_a_full_disk_loses_nothing(self):
+        command = ("check", "-q", *map(surface, MODELS), "-o", "out", "--shard", "1/1")
+        run = self.keiko(*command, **files_up_to(10_000))
+        lines = run.stdout.splitlines()
+        for name, line in zip(("dome", "saddle"), lines):
+            self.assertEqual(line, f"error {name}: out/parts/{name}/results/inspection.json: cannot write: File too large")
+        self.assertRegex(lines[2], "^fail seam-g0-gap: ")
+        self.assertEqual((run.returncode, run.stderr), (2, ""))
+        self.assertEqual([name for name in self.content() if ".keiko-" in name], [])
+        kept = (self.folder / "out/parts/seam-g0-gap/results/inspection.json").stat().st_mtime_ns
+        run = self.keiko(*command, **files_up_to(700))  # the parts that are missing, and the record of the shard
+        self.assertEqual(run.stderr, "keiko: out/shard-1/parts.json: cannot write: File too large\n")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertEqual(self.keiko(*command).returncode, 1)
+        self.assertEqual((self.folder / "out/parts/seam-g0-gap/results/inspection.json").stat().st_mtime_ns, kept)
+        run = self.keiko("merge", "-q", "out", **files_up_to(3000))  # less than index.html
+        self.assertEqual(run.stderr, "keiko: out/index.html: cannot write: File too large\n")
+        self.assertEqual((run.returncode, run.stdout), (2, ""))
+        self.assertEqual(sorted(os.listdir(self.folder / "out")), ["parts", "shard-1", "shards.json"])
+        with open("/dev/full", "w") as full:
+            run = subprocess.run([BINARY, "merge", "-q", "out"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE,
+                                 text=True)
+        self.assertEqual((run.returncode, run.stderr), (2, "keiko: standard output: cannot write\n"))
+        run = self.keiko("merge", "-q", "out")
+        self.assertEqual(run.returncode, 1)
+        self.assertTrue(run.stdout.endswith("see out/index.html\n"))
+        self.assertTrue((self.folder / "out/index.html").is_file())
 
     def test_warnings_name_the_body_that_they_are_of(self):
         step = StepText(surface("hood.step"))

@@ -6,12 +6,10 @@
 #include "keiko/base/output_file.h"
 #include "keiko/base/sha256.h"
 #include "keiko/batch/balanced_shards.h"
+#include "keiko/batch/joined_run.h"
 #include "keiko/batch/part_names.h"
-#include "keiko/batch/whole_run.h"
 #include "keiko/workflow/version.h"
 
-#include <array>
-#include <map>
 #include <optional>
 #include <system_error>
 
@@ -21,7 +19,6 @@ namespace {
 
 constexpr const char* record_file = "parts.json";
 constexpr const char* part_file = "part.json";
-constexpr std::array report_names{record_file, "junit.xml", "index.html"};
 
 std::string key_of(const fs::path& model, const PartsOptions& options) {
     std::vector<fs::path> inputs = options.files;
@@ -121,56 +118,26 @@ PartsRun run_parts(const PartsOptions& options, const JudgePart& judge, const Jo
     return run;
 }
 
-namespace {
-
-ShardRecord record_of(const PartsRun& shard, const fs::path& folder) {
-    ShardRecord record{
-        folder, {shard.shard, shard.shards}, shard.tool_version, shard.key, shard.all, {}};
-    for (const PartOutcome& part : shard.parts) record.done.push_back(part.name);
-    return record;
-}
-
-/// The run that was divided.
-PartsRun joined(std::vector<PartsRun> shards) {
-    std::map<std::string, PartOutcome> outcomes;
-    for (PartsRun& shard : shards)
-        for (PartOutcome& part : shard.parts) outcomes.emplace(part.name, std::move(part));
-    PartsRun merged = std::move(shards.front());
-    merged.shard = merged.shards = 1;
-    merged.parts.clear();
-    for (const std::string& name : merged.all) merged.parts.push_back(std::move(outcomes.at(name)));
-    return merged;
-}
-
-/// Removes the reports of an earlier merge, which must not pass for this one's.
-void withdraw_reports(const fs::path& output) {
-    std::error_code ignored; // what cannot be removed shows when it is written
-    for (const char* name : report_names) fs::remove(output / name, ignored);
-}
-
-} // namespace
-
 bool holds_parts(const fs::path& output) {
     const std::optional<ShardPlan> plan = kept_plan(output);
     return plan && plan->command != "regress";
 }
 
 PartsRun merge_parts(const fs::path& output) {
-    withdraw_reports(output);
-    const ShardFolders found = shard_folders({&output, 1}, record_file);
-    std::vector<PartsRun> shards;
-    std::vector<ShardRecord> records;
-    for (const fs::path& folder : found.folders) {
-        const fs::path file = folder / record_file;
-        shards.push_back(parse_parts(read_file(file), file.string()));
-        records.push_back(record_of(shards.back(), folder));
-    }
-    require_whole_run(records, found.plan);
-    PartsRun merged = joined(std::move(shards));
+    withdraw_reports(output, record_file);
+    constexpr RunMembers<PartsRun, PartOutcome> members{&PartsRun::key, &PartsRun::all,
+                                                        &PartsRun::parts};
+    const PartsRun merged =
+        joined_run(shard_folders({&output, 1}, record_file), members, [](const fs::path& folder) {
+            const fs::path file = folder / record_file;
+            return parse_parts(read_file(file), file.string());
+        });
     const FolderLock lock(output);
-    write_text_file(output / "junit.xml", parts_junit(merged));
-    write_text_file(output / "index.html", parts_html(merged));
-    write_text_file(output / record_file, parts_json(merged));
+    FileTransaction reports;
+    reports.add(output / "junit.xml", parts_junit(merged));
+    reports.add(output / "index.html", parts_html(merged));
+    reports.add(output / record_file, parts_json(merged));
+    reports.write();
     return merged;
 }
 

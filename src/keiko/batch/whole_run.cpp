@@ -1,6 +1,7 @@
 #include "keiko/batch/whole_run.h"
 
 #include "keiko/base/error.h"
+#include "keiko/base/output_folder.h"
 #include "keiko/base/text.h"
 
 #include <map>
@@ -111,6 +112,14 @@ void require_whole_run(std::span<const ShardRecord> records, const std::optional
     for (const auto& [number, folder] : places) present.insert(number);
     require_every_shard(present, first.shard.count, plan ? &*plan : nullptr);
     require_every_part(records, first.parts);
+}
+
+void withdraw_reports(const fs::path& output, const std::string& record) {
+    if (!fs::is_directory(output)) return;
+    const FolderLock lock(output);
+    std::error_code ignored; // what cannot be removed shows when it is written
+    for (const std::string& name : {record, std::string("junit.xml"), std::string("index.html")})
+        fs::remove(output / name, ignored);
 }
 
 } // namespace keiko

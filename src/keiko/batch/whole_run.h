@@ -35,4 +35,9 @@ struct ShardRecord {
 /// naming the folder that is of another run, or the shards that are missing.
 void require_whole_run(std::span<const ShardRecord> records, const std::optional<ShardPlan>& plan);
 
+/// Removes the reports of an earlier run from an output folder, its `record` file among them: they
+/// must not pass for this one's, whatever becomes of it. Throws Error while another process writes
+/// to the folder.
+void withdraw_reports(const std::filesystem::path& output, const std::string& record);
+
 } // namespace keiko

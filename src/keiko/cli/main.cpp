@@ -3,12 +3,14 @@
 #include "keiko/cli/mesh.h"
 #include "keiko/cli/session.h"
 
+#include <csignal>
 #include <cstdio>
 #include <exception>
 
 int main(int argc, char** argv) try {
     using namespace keiko;
     keep_freed_memory();
+    std::signal(SIGXFSZ, SIG_IGN); // a file beyond `ulimit -f` is an error of the call instead
     cli::Session session;
     CLI::App app("Keiko judges free-form surfaces by the reflections of parallel lamps.", "keiko");
     cli::add_version(app);

@@ -158,7 +158,7 @@ int merge(const MergeArguments& arguments) {
                              "is not for a run of check or inspect, whose report lies "
                              "beside its parts: keiko merge " +
                                  folder.string());
-        return tell_parts(merge_parts(folder), folder);
+        return tell_parts(merge_parts(folder), folder / "index.html");
     }
     return tell(merge_regressions(arguments.shards, output), output);
 }

@@ -60,13 +60,12 @@ PartsOptions parts_options(const CLI::App& command, const ShardOption& shard,
     return options;
 }
 
-int tell_parts(const PartsRun& run, const fs::path& folder) {
+int tell_parts(const PartsRun& run, const fs::path& place) {
     TextLines lines;
     for (const PartOutcome& part : run.parts)
         lines.line() << name_of(part.state) << " " << part.name
                      << (part.summary.empty() ? "" : ": ") << part.summary;
-    const fs::path page = run.shards > 1 ? folder : folder / "index.html";
-    lines.line() << summary_of(run) << "; see " << page.string();
+    lines.line() << summary_of(run) << "; see " << place.string();
     print(lines.text());
     if (run.state() == PartState::error) return exit_error;
     return run.state() == PartState::pass ? exit_pass : exit_findings;

@@ -44,8 +44,8 @@ PartsOptions parts_options(const CLI::App& command, const ShardOption& shard,
                            std::span<const std::filesystem::path> models,
                            const std::filesystem::path& output);
 
-/// Prints a line a part, and one of them all. Returns the exit code.
-int tell_parts(const PartsRun& run, const std::filesystem::path& folder);
+/// Prints a line a part, and one of them all that names where to look. Returns the exit code.
+int tell_parts(const PartsRun& run, const std::filesystem::path& place);
 
 /// Result that a verdict is, of a part.
 PartState part_state(Verdict verdict);

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/text.h"
+#include "keiko/batch/whole_run.h"
 #include "keiko/files/scene/fixture_file.h"
 #include "keiko/regress/suite_files.h"
 #include "keiko/regress/suite_shards.h"
@@ -82,7 +83,7 @@ std::vector<FixtureFile> readable_suite(const RegressOptions& options) {
     try {
         return fixture_files(options.suite);
     } catch (const Error&) {
-        withdraw_reports(options.output);
+        withdraw_reports(options.output, regression_file);
         throw;
     }
 }
@@ -122,7 +123,7 @@ void run_shard(std::span<const FixtureFile> suite, const ShardPlan& plan,
                const std::filesystem::path& output, const RegressOptions& options,
                Regression& regression, const Job& job) {
     claim_shard(output, plan, options.shard->number);
-    withdraw_reports(options.output);
+    withdraw_reports(options.output, regression_file);
     run_fixtures(share_of(suite, plan, options.shard->number), options, regression, job);
     require_claimed(output, plan);
     write_reports(options.output, regression);
@@ -134,7 +135,7 @@ Regression run_regression(const RegressOptions& given, const Job& job) {
     RegressOptions options = given;
     if (given.shard) options.output = shard_folder(given.output, given.shard->number);
     require_apart(options, {});
-    if (!given.shard) withdraw_reports(options.output);
+    if (!given.shard) withdraw_reports(options.output, regression_file);
     const std::vector<FixtureFile> all = readable_suite(options);
     require_apart(options, all);
     const std::vector<FixtureFile> suite = options.only.empty() ? all : chosen(all, options.only);

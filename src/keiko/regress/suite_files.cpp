@@ -10,7 +10,6 @@
 #include "keiko/regress/run_fixture.h"
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 
 namespace keiko {
@@ -19,7 +18,6 @@ namespace {
 
 /// Time that the other copy of a task may take to write what this one writes too.
 constexpr std::chrono::minutes write_patience{1};
-constexpr std::array report_names{regression_file, "junit.xml", "index.html"};
 
 /// Candidate that an earlier run has finished; nullopt where there is none, or one of other inputs,
 /// or a damaged one.
@@ -166,19 +164,14 @@ void require_apart(const RegressOptions& options, std::span<const FixtureFile> f
                             "; name another folder");
 }
 
-void withdraw_reports(const fs::path& output) {
-    if (!fs::is_directory(output)) return;
-    const FolderLock lock(output);
-    std::error_code ignored; // what cannot be removed shows when it is written
-    for (const char* name : report_names) fs::remove(output / name, ignored);
-}
-
 void write_reports(const fs::path& output, const Regression& regression) {
     for (const FixtureOutcome& fixture : regression.fixtures)
         write_pictures(output / fixture.name / "pictures", fixture.pngs);
-    write_text_file(output / "junit.xml", regression_junit(regression));
-    write_text_file(output / "index.html", regression_html(regression));
-    write_text_file(output / regression_file, regression_json(regression));
+    FileTransaction reports;
+    reports.add(output / "junit.xml", regression_junit(regression));
+    reports.add(output / "index.html", regression_html(regression));
+    reports.add(output / regression_file, regression_json(regression));
+    reports.write();
 }
 
 Regression read_reports(const fs::path& output) {

@@ -40,10 +40,6 @@ std::string suite_key(std::span<const std::string> outcome_keys);
 std::vector<std::string> stale_baselines(std::span<const FixtureFile> suite,
                                          const RegressOptions& options);
 
-/// Removes the reports of an earlier run: they must not pass for this one's, whatever becomes of
-/// it. Throws Error while another process writes to the folder.
-void withdraw_reports(const std::filesystem::path& output);
-
 /// Throws Error where the output folder lies in that of the baselines, or has a fixture's folder
 /// there: a run would write into what it compares with, and wait for its own lock.
 void require_apart(const RegressOptions& options, std::span<const FixtureFile> fixtures);
