@@ -512,6 +512,12 @@ class ModuleTest(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "enough"):
             keiko.inspect(CAR, progress=refuse)
 
+    def test_progress_of_a_comparison_never_falls(self):
+        shares = []
+        keiko.compare(CAR, CAR, progress=lambda stage, share: shares.append(share))
+        self.assertGreater(len(shares), 2)
+        self.assertEqual(shares, sorted(shares))
+
     def test_interrupts_end_long_work(self):
         def interrupt():
             time.sleep(1.0)

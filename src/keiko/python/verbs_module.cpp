@@ -66,8 +66,11 @@ struct ComparedBody {
     explicit ComparedBody(const py::object& input) : model(model_of(input)) {
         if (!model) file = path_of(input);
     }
-    Scene open(const Job& job) const {
-        return model ? scene_of_model(*model, {}, job) : open_scene(std::span(&file, 1), {}, job);
+    OpenBody opener() const {
+        return [this](const Job& job) {
+            return model ? scene_of_model(*model, {}, job)
+                         : open_scene(std::span(&file, 1), {}, job);
+        };
     }
 };
 
@@ -79,7 +82,7 @@ std::string compare(const py::object& before, const py::object& after, const std
         options.preset = preset_by_name_or_file(preset), options.join = join;
         options.align = align;
         return comparison_json(
-            compare_scenes(former.open(job), latter.open(job), options, job).comparison);
+            compare_bodies(former.opener(), latter.opener(), options, job).comparison);
     });
 }
 

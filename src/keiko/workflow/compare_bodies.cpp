@@ -17,12 +17,15 @@ namespace keiko {
 namespace fs = std::filesystem;
 namespace {
 
-Scene opened(const fs::path& file, const CompareBodiesOptions& options, const Job& job) {
-    const std::array inputs{file};
-    Scene scene = open_scene(inputs, options.scene, job);
-    if (options.views && options.views->width > 0)
-        scene.set_picture_size(options.views->width, options.views->height);
-    return scene;
+/// Opens the scene of a file, with pictures of the size of the views.
+OpenBody opener_of(const fs::path& file, const CompareBodiesOptions& options) {
+    return [&](const Job& job) {
+        const std::array inputs{file};
+        Scene scene = open_scene(inputs, options.scene, job);
+        if (options.views && options.views->width > 0)
+            scene.set_picture_size(options.views->width, options.views->height);
+        return scene;
+    };
 }
 
 std::vector<std::string> names_of(const SurfaceModel& model, const PlacedModel& placed) {
@@ -144,18 +147,6 @@ double weight_of_comparing(const CompareBodiesOptions& options) {
            (options.views ? viewing : 0);
 }
 
-} // namespace
-
-CompareResult compare_bodies(const fs::path& before, const fs::path& after,
-                             const CompareBodiesOptions& options, const Job& job) {
-    constexpr double opening = 2;
-    JobSteps steps(job, 2 * opening + weight_of_comparing(options));
-    const Scene former = opened(before, options, steps.next_of_steps(opening));
-    Scene latter = opened(after, options, steps.next_of_steps(opening));
-    return compare_scenes(former, std::move(latter), options,
-                          steps.next_of_steps(weight_of_comparing(options)));
-}
-
 CompareResult compare_scenes(const Scene& before, Scene after, const CompareBodiesOptions& options,
                              const Job& job) {
     CompareResult result;
@@ -196,6 +187,23 @@ CompareResult compare_scenes(const Scene& before, Scene after, const CompareBodi
                    feet_before, feet_after, faces, shown.deviation, limits},
                   options, result, steps.next_of_steps(viewing));
     return result;
+}
+
+} // namespace
+
+CompareResult compare_bodies(const fs::path& before, const fs::path& after,
+                             const CompareBodiesOptions& options, const Job& job) {
+    return compare_bodies(opener_of(before, options), opener_of(after, options), options, job);
+}
+
+CompareResult compare_bodies(const OpenBody& before, const OpenBody& after,
+                             const CompareBodiesOptions& options, const Job& job) {
+    constexpr double opening = 2;
+    JobSteps steps(job, 2 * opening + weight_of_comparing(options));
+    const Scene former = before(steps.next_of_steps(opening));
+    Scene latter = after(steps.next_of_steps(opening));
+    return compare_scenes(former, std::move(latter), options,
+                          steps.next_of_steps(weight_of_comparing(options)));
 }
 
 FolderContent comparison_files(const fs::path& folder, const CompareResult& result) {

@@ -4,6 +4,7 @@
 #include "keiko/workflow/compare_options.h"
 
 #include <filesystem>
+#include <functional>
 
 namespace KEIKO_API keiko {
 
@@ -13,8 +14,11 @@ CompareResult compare_bodies(const std::filesystem::path& before,
                              const std::filesystem::path& after,
                              const CompareBodiesOptions& options = {}, const Job& job = {});
 
-/// Likewise for two bodies that have been opened, with SceneOptions as in `options`.
-CompareResult compare_scenes(const Scene& before, Scene after,
+/// Opens a body for a comparison, with SceneOptions as in its options.
+using OpenBody = std::function<Scene(const Job& job)>;
+
+/// Likewise for two bodies that come from elsewhere than a file.
+CompareResult compare_bodies(const OpenBody& before, const OpenBody& after,
                              const CompareBodiesOptions& options = {}, const Job& job = {});
 
 /// compare.html, compare.json, the pictures and, if there are views, rig.toml, for a folder. The
