@@ -1,7 +1,5 @@
 #include "keiko/geometry/bezier/differential_geometry.h"
-#include "keiko/geometry/trim/trim_region.h"
-#include "keiko/inspect/basics/curve_chains.h"
-#include "keiko/inspect/basics/line_cells.h"
+#include "keiko/inspect/basics/face_curves.h"
 #include "keiko/inspect/basics/visible_pieces.h"
 #include "keiko/inspect/curvature/face_measure.h"
 #include "keiko/inspect/curvature/parabolic_field.h"
@@ -12,58 +10,33 @@
 namespace keiko {
 namespace {
 
-/// Distance between trim tests on a curve, as a share of the face's size.
-constexpr double trim_step = 5e-3;
-/// Distance in mm between the ends of pieces that are one curve.
-constexpr double same_end = 0.01;
 constexpr std::size_t most_boxes = 4000; ///< of a patch
 
 struct Piece {
-    std::vector<Vec3> points;
-    double rate = 0, deviation = 0;
-    bool proved = true;
-    int side = 0; ///< sign of the Gaussian curvature beside a side of the patch; 0: inside
+    PatchLine line;
+    double rate = 0; ///< 1/mm2: the fastest change of the curvature across it
+    int side = 0;    ///< sign of the Gaussian curvature beside a side of the patch; 0: inside
 };
-
-double distance(const Vec3& a, const Vec3& b) {
-    return (a - b).length();
-}
-
-double length_of(const std::vector<Vec3>& points) {
-    double length = 0;
-    for (std::size_t i = 1; i < points.size(); ++i) length += distance(points[i - 1], points[i]);
-    return length;
-}
 
 class InflectionSearch {
 public:
-    InflectionSearch(const SurfaceModel& model, std::uint32_t instance, std::uint32_t face,
+    InflectionSearch(const SurfaceModel& model, const PlacedFace& placed,
                      const InflectionOptions& options)
-        : model_(model), face_(model.faces[face]), trims_(model, face_), options_(options) {
-        Box3 bounds;
-        for (std::uint32_t i = 0; i < face_.patch_count; ++i) {
-            patches_.emplace_back(model, face_.first_patch + i,
-                                  model.instances[instance].transform);
-            bounds.extend(patches_.back().box);
-        }
-        size_ = bounds.size();
-    }
+        : face_(model, placed), options_(options) {}
 
     std::vector<InflectionCurve> run() {
-        for (const PlacedPatch& patch : patches_) search(patch);
+        for (const PlacedPatch& patch : face_.patches()) search(patch);
         pair_sides();
-        std::vector<std::array<Vec3, 2>> ends;
-        for (const Piece& piece : pieces_)
-            ends.push_back({piece.points.front(), piece.points.back()});
+        std::vector<PatchLine> lines;
+        for (Piece& piece : pieces_) lines.push_back(std::move(piece.line));
         std::vector<InflectionCurve> curves;
-        for (const CurveChain& chain : chain_curves(ends, same_end)) {
-            InflectionCurve curve = curve_of(chain);
-            if (curve.length > same_end && curve.rate * size_ > options_.flat_change)
-                curves.push_back(std::move(curve));
+        for (FaceCurve& found : joined_pieces(lines)) {
+            double rate = 0;
+            for (const std::size_t i : found.pieces) rate = std::max(rate, pieces_[i].rate);
+            if (rate * face_.size() > options_.flat_change)
+                curves.push_back({found.closed, found.proved, found.length, rate, found.deviation,
+                                  std::move(found.points)});
         }
-        std::stable_sort(
-            curves.begin(), curves.end(),
-            [](const InflectionCurve& a, const InflectionCurve& b) { return a.length > b.length; });
         return curves;
     }
 
@@ -85,35 +58,28 @@ private:
     }
 
     void search(const PlacedPatch& patch) {
-        const BezierPatchView own = model_.patch(patch.index);
-        const BezierPatchView view{own.degree_u, own.degree_v, patch.points};
+        const BezierPatchView view = face_.view_of(patch);
         if (!bends_both_ways(view)) return;
         const auto field = parabolic_field(view, patch.rounding);
         if (!field) return;
         LineCellOptions cells;
         cells.most_boxes = most_boxes;
-        add(patch, view, field_cells(field->inner, cells).cells, field->inner, 0);
+        add(patch, field_cells(field->inner, cells).cells, field->inner, 0);
         for (const ParabolicSide& side : field->sides) {
             const LineCell whole{unit_square, 0, true, side.by_u};
             if (side.sign != 0)
-                add(patch, view, {whole}, iso_field(side.by_u, side.upper ? 1 : 0), side.sign);
+                add(patch, {whole}, iso_field(side.by_u, side.upper ? 1 : 0), side.sign);
         }
     }
 
-    void add(const PlacedPatch& patch, const BezierPatchView& view,
-             const std::vector<LineCell>& cells, const BernsteinField& field, int side) {
-        const FieldZeros zeros(patch, view, field);
-        const auto material = [&](const LinePoint& p) {
-            return trims_.untrimmed() || trims_.contains(model_.face_parameters(patch.index, p.uv));
-        };
-        for (const PatchLine& part :
-             material_pieces(cells, zeros, options_.chord_error, trim_step * size_, material)) {
-            Piece piece{{}, 0, part.deviation, part.proved, side};
-            for (const LinePoint& p : part.points) {
-                piece.points.push_back(p.place);
-                piece.rate = std::max(piece.rate, parabolic_rate(evaluate(view, p.uv, 3)));
-            }
-            pieces_.push_back(std::move(piece));
+    void add(const PlacedPatch& patch, const std::vector<LineCell>& cells,
+             const BernsteinField& field, int side) {
+        const BezierPatchView view = face_.view_of(patch);
+        for (PatchLine& line : face_.pieces(patch, field, cells, options_.chord_error)) {
+            double rate = 0;
+            for (const LinePoint& p : line.points)
+                rate = std::max(rate, parabolic_rate(evaluate(view, p.uv, 3)));
+            pieces_.push_back({std::move(line), rate, side});
         }
     }
 
@@ -134,34 +100,16 @@ private:
     }
 
     static bool same_ends(const Piece& a, const Piece& b) {
-        const auto near = [](const Vec3& p, const Vec3& q) { return distance(p, q) < same_end; };
-        const Vec3 &a0 = a.points.front(), &a1 = a.points.back(), &b0 = b.points.front(),
-                   &b1 = b.points.back();
+        const auto near = [](const LinePoint& p, const LinePoint& q) {
+            return (p.place - q.place).length() < same_curve_end;
+        };
+        const LinePoint &a0 = a.line.points.front(), &a1 = a.line.points.back(),
+                        &b0 = b.line.points.front(), &b1 = b.line.points.back();
         return (near(a0, b0) && near(a1, b1)) || (near(a0, b1) && near(a1, b0));
     }
 
-    InflectionCurve curve_of(const CurveChain& chain) const {
-        InflectionCurve curve;
-        curve.closed = chain.closed;
-        for (const ChainLink& link : chain.links) {
-            const Piece& piece = pieces_[link.piece];
-            std::vector<Vec3> points = piece.points;
-            if (link.turned) std::reverse(points.begin(), points.end());
-            curve.points.insert(curve.points.end(), points.begin(), points.end());
-            curve.proved = curve.proved && piece.proved;
-            curve.rate = std::max(curve.rate, piece.rate);
-            curve.deviation = std::max(curve.deviation, piece.deviation);
-        }
-        curve.length = length_of(curve.points);
-        return curve;
-    }
-
-    const SurfaceModel& model_;
-    const Face& face_;
-    TrimRegion trims_;
+    FaceCurveSearch face_;
     const InflectionOptions& options_;
-    double size_ = 0; ///< mm
-    std::vector<PlacedPatch> patches_;
     std::vector<Piece> pieces_;
 };
 
@@ -170,7 +118,7 @@ private:
 std::vector<InflectionCurve> inflection_curves(const SurfaceModel& model, std::uint32_t instance,
                                                std::uint32_t face,
                                                const InflectionOptions& options) {
-    return InflectionSearch(model, instance, face, options).run();
+    return InflectionSearch(model, {instance, face}, options).run();
 }
 
 } // namespace keiko
