@@ -1,5 +1,6 @@
 #include "keiko/compare/alignment/alignment.h"
 
+#include "keiko/base/error.h"
 #include "keiko/base/units.h"
 
 #include "tests/support/model_builder.h"
@@ -48,6 +49,18 @@ TEST(Alignment, RecoversALargeMotionOfACopy) {
 
 TEST(Alignment, LetsBordersSettleWhatAPlaneLeavesFree) {
     EXPECT_LT(left_over(flat(), about_middle({0, 0, 1}, 1.5, {3, -2, 0.5})), 1e-6);
+}
+
+TEST(Alignment, RecoversTheMotionOfAStripThatTheFirstPlacesMiss) {
+    const SurfaceModel strip = test::uneven_sheet(0.5015, 0.5025); // 0.2 mm wide
+    EXPECT_LT(left_over(strip, about_middle({1, 2, 3}, 0.7, {3, -2, 1.5})), 1e-6);
+}
+
+TEST(Alignment, RefusesABodyOfWhichNoPlaceIsFound) {
+    const ClosestPointQuery hair(placed_model(test::uneven_sheet(0.5025, 0.5025 + 1e-9)));
+    const ClosestPointQuery whole(placed_model(test::uneven_sheet()));
+    EXPECT_THROW(align_bodies(hair, whole), FieldError);
+    EXPECT_THROW(align_bodies(whole, hair), FieldError);
 }
 
 TEST(Alignment, TellsTheMotionInWords) {

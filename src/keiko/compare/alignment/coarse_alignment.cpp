@@ -1,5 +1,6 @@
 #include "keiko/compare/alignment/coarse_alignment.h"
 
+#include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
 #include "keiko/compare/alignment/rigid_step.h"
 #include "keiko/geometry/bvh/box_tree.h"
@@ -38,11 +39,15 @@ std::vector<SurfaceSample> piece_samples(const ClosestPointQuery& body, std::siz
 }
 
 SampleCloud surface_cloud(const ClosestPointQuery& body, std::size_t count) {
-    const double spacing = sample_spacing(body, count);
+    constexpr int most_halvings = 5;
+    double spacing = sample_spacing(body, count);
     SampleCloud cloud;
-    for (std::size_t i = 0; i < body.piece_count(); ++i)
-        for (const SurfaceSample& sample : piece_samples(body, i, spacing, 1))
-            cloud.push_back(sample);
+    for (int halvings = 0; cloud.empty() && halvings <= most_halvings; ++halvings, spacing /= 2)
+        for (std::size_t i = 0; i < body.piece_count(); ++i)
+            for (const SurfaceSample& sample : piece_samples(body, i, spacing, 1))
+                cloud.push_back(sample);
+    if (cloud.empty())
+        throw FieldError("align", "one of the bodies has too little material to align by");
     return cloud;
 }
 

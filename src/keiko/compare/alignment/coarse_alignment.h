@@ -27,16 +27,18 @@ std::vector<SurfaceSample> piece_samples(const ClosestPointQuery& body, std::siz
 /// A body as places with normals and the area that each stands for.
 using SampleCloud = std::vector<SurfaceSample>;
 
-/// About `count` places of a body.
+/// About `count` places of a body; of one whose material is narrower than their distance, the few
+/// that a finer search finds. Throws FieldError("align") if it finds none.
 SampleCloud surface_cloud(const ClosestPointQuery& body, std::size_t count);
 
 /// Centre of area.
 Vec3 centre_of(const SampleCloud& cloud);
 
-/// Start motion of `body` to near `other` for a search for the best one, improved on the clouds;
-/// `size` of the other in mm. It is the best of where the body is, its centre on the other's, and
-/// the four turns that lay principal axes on each other. Only the nearest `share` of the body's
-/// samples counts at a time, by number: trimmed iterated closest points. Throws Cancelled.
+/// Start motion of `body` to near `other` for a search for the best one, improved on the clouds,
+/// which are not empty; `size` of the other in mm. It is the best of where the body is, its centre
+/// on the other's, and the four turns that lay principal axes on each other. Only the nearest
+/// `share` of the body's samples counts at a time, by number: trimmed iterated closest points.
+/// Throws Cancelled.
 Affine coarse_alignment(const SampleCloud& body, const SampleCloud& other, double size,
                         double share, const Job& job = {});
 
