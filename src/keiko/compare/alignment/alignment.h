@@ -31,7 +31,7 @@ struct AlignmentOptions {
 /// weigh a thousandth: they settle only what the surfaces leave free. It starts from the best of
 /// where the body is, its centre on the other's, and the four turns that lay principal axes on each
 /// other, each tried on samples first. The same for any number of threads. Reports stage "align".
-/// Throws Cancelled.
+/// Throws FieldError("align") for a body with too little material to find a place of it; Cancelled.
 Alignment align_bodies(const ClosestPointQuery& body, const ClosestPointQuery& other,
                        const AlignmentOptions& options = {}, const Job& job = {});
 

@@ -23,8 +23,8 @@ struct PointAlignment {
 ///
 /// The points stay where they are along a motion that changes their distances by less than a
 /// thousandth of its length. The result is the same for any number of threads. Reports stage
-/// "align". Throws FieldError of `points` if there are fewer than 12, or so few near the surface;
-/// Cancelled.
+/// "align". Throws FieldError of `points` if there are fewer than 12, or so few near the surface,
+/// and of `align` for a nominal with too little material; Cancelled.
 PointAlignment align_points(std::span<const Vec3> points, const ClosestPointQuery& nominal,
                             const AlignmentOptions& options = {}, const Job& job = {});
 
