@@ -2,6 +2,7 @@
 import array
 import http.client
 import json
+import math
 import signal
 import socket
 import struct
@@ -336,6 +337,21 @@ class Answers(ViewTest):
         near = min(sum((a - b) ** 2 for a, b in zip(place, fault["place"])) ** 0.5 for place in ends)
         self.assertLess(near, fault["length"] / 10)
 
+    def test_a_stretch_has_its_course_and_its_profile(self):
+        model = surface("seam-g1-angle.step")
+        self.server = self.serve(model)
+        self.keiko("check", model, "--json", "check.json", "--profiles", "profiles.json")
+        seams = json.loads((self.folder / "check.json").read_text())["seams"]
+        profiles = json.loads((self.folder / "profiles.json").read_text())["profiles"]
+        for seam, profile in zip(seams, profiles, strict=True):
+            self.assertEqual(self.json_of("POST", "/profile", str(seam["number"]))["profiles"], [profile])
+            ends = seam["course"][0][0], seam["course"][-1][-1]
+            self.assertEqual(ends, (seam["from"], seam["to"]))
+            chords = sum(math.dist(a, b) for piece in seam["course"] for a, b in zip(piece, piece[1:]))
+            self.assertAlmostEqual(chords, seam["length"], delta=1e-3 * seam["length"])
+        for number in "", "0", "1.5", "one", str(len(seams) + 1), "99999999999999999999":
+            self.assertIn("number of a stretch", self.error_of(self.server.ask("POST", "/profile", number), 400))
+
     def test_lines_of_the_lamps_add_faults_of_the_view(self):
         self.write("aslant.toml", ASLANT)
         self.server = self.serve(surface("seam-g1-angle.step"), "--rig", "aslant.toml")
@@ -393,6 +409,7 @@ class Reports(ViewTest):
         self.assertEqual(server.ask("POST", "/still")[2], (self.folder / "file.png").read_bytes())
         self.assertEqual(server.ask("GET", "/inspect")[2], (self.folder / "out/faults.json").read_bytes())
         self.assertEqual(server.ask("GET", "/seams")[2], (self.folder / "out/report.json").read_bytes())
+        self.assertIn("profiles", self.error_of(server.ask("POST", "/profile", "1"), 400))
 
     def test_another_of_its_views_in_another_size(self):
         scene = self.scene_of(self.serve("out", "--view", "top", "--size", "48x27"))

@@ -111,6 +111,7 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
         return text_reply(scene_.faults_with_lines(request_of(request), job));
     if (asked == "PUT /analysis") return new_analysis(request, job);
     if (asked == "POST /analysis") return analysis_file(request, job);
+    if (asked == "POST /profile") return text_reply(scene_.profile(request.body, job));
     if (asked == "POST /section") return text_reply(scene_.section(request.body, job));
     if (asked == "POST /lines") return lines(request, job);
     if (asked == "POST /place") return place(request, job);

@@ -4,6 +4,7 @@
 #include "keiko/api/model.h"
 #include "keiko/base/job_steps.h"
 
+#include <charconv>
 #include <chrono>
 #include <utility>
 
@@ -15,6 +16,7 @@ ViewedScene::ViewedScene(Scene scene, NamedView view, LightRig rig, CheckOptions
       view_(std::move(view)),
       check_(std::move(check)),
       rig_(std::move(rig)) {
+    is_report_ = report.has_value();
     if (!report) return;
     own_views_ = report->views;
     remarks_ = report->changes;
@@ -103,6 +105,30 @@ const Inspection& ViewedScene::judged(const Job& job) {
 
 std::string ViewedScene::inspection(const Job& job) {
     return inspection_.get(job, [&] { return inspection_json(judged(job), version()); });
+}
+
+namespace {
+
+/// Index of a stretch by its number, from 1 to `count`, in words of decimal digits.
+std::uint32_t seam_of(const std::string& number, std::size_t count) {
+    std::uint32_t seam = 0;
+    const char* end = number.data() + number.size();
+    const auto [rest, fault] = std::from_chars(number.data(), end, seam);
+    if (fault != std::errc() || rest != end || seam < 1 || seam > count)
+        throw Error("request", "seam",
+                    "must be the number of a stretch, 1 to " + std::to_string(count));
+    return seam - 1;
+}
+
+} // namespace
+
+std::string ViewedScene::profile(const std::string& number, const Job& job) {
+    if (is_report_)
+        throw Error("request", "seam", "a report keeps no profiles but those of its faults");
+    const Inspection& inspection = judged(job);
+    const std::uint32_t seam = seam_of(number, inspection.seams.size());
+    return profiles_json(profiles_of(scene_.model, inspection, {&seam, 1}, job), inspection,
+                         version());
 }
 
 std::string ViewedScene::section(const std::string& plane, const Job& job) const {

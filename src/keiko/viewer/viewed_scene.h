@@ -59,6 +59,10 @@ public:
     /// The judged geometry, "keiko-inspection/1", made as the facts. Throws Error, and Cancelled.
     /// That of a report is its own text, "keiko-report/1".
     std::string inspection(const Job& job);
+    /// The quantities along a stretch of a seam by its number, from 1, "keiko-profiles/1". Throws
+    /// Error for another text, and for the stretches of a report, which keeps no geometry; and
+    /// Cancelled.
+    std::string profile(const std::string& number, const Job& job);
     /// Its faults in the order of mending, "keiko-faults/1", made as the inspection.
     std::string faults(const Job& job);
     /// The faults of the judged geometry and of the reflection lines of a request's lamps in its
@@ -101,6 +105,7 @@ private:
     std::optional<PartOccluders> part_; ///< the last that was requested
     Kept<Inspection> judged_;
     Kept<std::string> facts_, inspection_, faults_;
+    bool is_report_ = false; ///< inspection and faults are those of a report
 };
 
 } // namespace keiko::viewer

@@ -39,6 +39,17 @@ Json zone_json(const Inspection& inspection, const PlacedFace& face) {
     return zone == no_zone ? Json() : Json(inspection.preset.zones.at(zone).name);
 }
 
+/// The points of each piece of a stretch.
+Json course_json(const MeasuredSeam& seam) {
+    Json pieces = Json::array();
+    for (const std::vector<Vec3>& piece : seam.course) {
+        Json points = Json::array();
+        for (const Vec3& p : piece) points.push_back(point(p));
+        pieces.push_back(std::move(points));
+    }
+    return pieces;
+}
+
 Json seam_json(const MeasuredSeam& seam, std::size_t number, const Inspection& inspection) {
     const CriteriaPreset& preset = limits_of(inspection, seam);
     Json json = {{"number", number},
@@ -58,6 +69,7 @@ Json seam_json(const MeasuredSeam& seam, std::size_t number, const Inspection& i
                  {"middle", point(seam.middle)},
                  {"from", point(seam.course.front().front())},
                  {"to", point(seam.course.back().back())},
+                 {"course", course_json(seam)},
                  {"gap", Json()}};
     const auto judged = [](Json value, bool is_judged) {
         return is_judged || value.is_null() ? value : without_verdict(std::move(value));

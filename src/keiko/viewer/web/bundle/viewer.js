@@ -39,12 +39,12 @@ function choice(into, names, pressed, choose) {
   }));
 }
 function selection(name, options, chosen, choose) {
-  const list3 = element("select", options.map((option) => element("option", option, { selected: option === chosen })), { ariaLabel: name });
-  list3.onchange = () => choose(list3.value);
-  return element("label", [new Text(`${name} `), list3]);
+  const list2 = element("select", options.map((option) => element("option", option, { selected: option === chosen })), { ariaLabel: name });
+  list2.onchange = () => choose(list2.value);
+  return element("label", [new Text(`${name} `), list2]);
 }
-function showPairs(list3, pairs) {
-  list3.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
+function showPairs(list2, pairs) {
+  list2.replaceChildren(...pairs.flatMap(([name, value]) => [element("dt", name), element("dd", value)]));
 }
 function showFacts(facts2) {
   const { lower, upper } = facts2.bounds;
@@ -230,8 +230,8 @@ function orbited(camera, about, right2, up) {
 function panned(camera, x, y) {
   const { right: right2, up } = axesOf(camera);
   const far = camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye));
-  const step2 = sum(scaled(right2, -x * pixelSize(camera) * far), scaled(up, y * pixelSize(camera) * far));
-  return { ...camera, eye: sum(camera.eye, step2), target: sum(camera.target, step2) };
+  const step3 = sum(scaled(right2, -x * pixelSize(camera) * far), scaled(up, y * pixelSize(camera) * far));
+  return { ...camera, eye: sum(camera.eye, step3), target: sum(camera.target, step3) };
 }
 function dollied(camera, factor) {
   const away = scaled(difference(camera.eye, camera.target), factor);
@@ -469,7 +469,7 @@ function footprintOf(row2, rays, at) {
   const { u, v, normal, origin } = row2;
   const from = (axis) => along(axis, 0) - axis[0] * origin[0] - axis[1] * origin[1] - axis[2] * origin[2];
   const du = along(u, 3), dv = along(v, 3), dz = along(normal, 3), t = -from(normal) / dz;
-  const step2 = (k) => {
+  const step3 = (k) => {
     const down = along(normal, k) + t * along(normal, k + 6);
     return [along(u, k) + t * along(u, k + 6) - du / dz * down, along(v, k) + t * along(v, k + 6) - dv / dz * down];
   };
@@ -477,8 +477,8 @@ function footprintOf(row2, rays, at) {
     t,
     centre: [from(u) + t * du, from(v) + t * dv],
     direction: [du, dv, dz],
-    dx: step2(6),
-    dy: step2(9),
+    dx: step3(6),
+    dy: step3(9),
     descent: [along(normal, 12) / dz, along(normal, 15) / dz]
   };
 }
@@ -680,9 +680,9 @@ var PathSet = class {
   /** Makes room for so many paths. */
   reserve(paths) {
     if (this.list.length >= paths) return;
-    const list3 = new Uint32Array(2 * paths), members = new Uint8Array(2 * paths);
-    list3.set(this.list), members.set(this.members);
-    this.list = list3, this.members = members;
+    const list2 = new Uint32Array(2 * paths), members = new Uint8Array(2 * paths);
+    list2.set(this.list), members.set(this.members);
+    this.list = list2, this.members = members;
   }
   add(path) {
     if (this.members[path] === 1) return;
@@ -733,10 +733,10 @@ var RayList = class {
 // source/stripe_coverage.ts
 var leastWidth = 1e-6;
 function below(wide2, narrow2, x) {
-  const away = Math.abs(x), reach2 = 0.5 * (wide2 + narrow2);
-  if (away >= reach2) return x < 0 ? -0.5 : 0.5;
-  const rest3 = reach2 - away;
-  const inside = away <= reach2 - narrow2 ? away / wide2 : 0.5 - 0.5 * rest3 * rest3 / (wide2 * narrow2);
+  const away = Math.abs(x), reach3 = 0.5 * (wide2 + narrow2);
+  if (away >= reach3) return x < 0 ? -0.5 : 0.5;
+  const rest3 = reach3 - away;
+  const inside = away <= reach3 - narrow2 ? away / wide2 : 0.5 - 0.5 * rest3 * rest3 / (wide2 * narrow2);
   return x < 0 ? -inside : inside;
 }
 function share(wide2, narrow2, begin, end) {
@@ -756,13 +756,13 @@ function stripeCoverage(row2, width, v, wide2, narrow2) {
   }
   const half = 0.5 * width;
   if (!(width < pitch)) return share(wide2, narrow2, first - half - v, last + half - v);
-  const spread = 0.5 * (wide2 + narrow2), reach2 = spread + half, away = v - first;
+  const spread = 0.5 * (wide2 + narrow2), reach3 = spread + half, away = v - first;
   const off = Math.abs(offAxis(row2, v));
-  if (off >= reach2) return 0;
+  if (off >= reach3) return 0;
   if (off + spread <= half) return 1;
-  const end = Math.min(Math.floor((away + reach2) / pitch), lamps - 1);
+  const end = Math.min(Math.floor((away + reach3) / pitch), lamps - 1);
   let sum2 = 0;
-  for (let lamp = Math.max(Math.ceil((away - reach2) / pitch), 0); lamp <= end; ++lamp) {
+  for (let lamp = Math.max(Math.ceil((away - reach3) / pitch), 0); lamp <= end; ++lamp) {
     const at = lamp * pitch - away;
     sum2 += share(wide2, narrow2, at - half, at + half);
   }
@@ -802,41 +802,41 @@ function project(row2, rays, at, image, to) {
 }
 function coverage(row2, image, from, du, dv) {
   const u = image[from + 1] - du, v = image[from + 2] - dv, width = row2.diameter * image[from + 3];
-  const reach2 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
-  if (u + reach2 <= -room || u - reach2 >= row2.length + room) return 0;
+  const reach3 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  if (u + reach3 <= -room || u - reach3 >= row2.length + room) return 0;
   const strips = stripeCoverage(row2, width, v, image[from + 5], image[from + 6]);
-  if (u - reach2 >= 0 && u + reach2 <= row2.length || !(reach2 > 0 && reach2 < Infinity)) return strips;
-  return strips * Math.max(Math.min(u + reach2, row2.length) - Math.max(u - reach2, 0), 0) / (2 * reach2);
+  if (u - reach3 >= 0 && u + reach3 <= row2.length || !(reach3 > 0 && reach3 < Infinity)) return strips;
+  return strips * Math.max(Math.min(u + reach3, row2.length) - Math.max(u - reach3, 0), 0) / (2 * reach3);
 }
 function steadiness(row2, image, from, du, dv) {
   const u = image[from + 1] - du, half = 0.5 * row2.diameter * image[from + 3];
-  const reach2 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
-  const beyond = Math.max(-room - u - reach2, u - reach2 - row2.length - room);
+  const reach3 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  const beyond = Math.max(-room - u - reach3, u - reach3 - row2.length - room);
   if (beyond >= 0) return beyond;
   const wide2 = image[from + 5], { pitch, lamps } = row2;
   if (wide2 > 4 * pitch || 2 * half >= pitch || lamps === 0) return 0;
   const spread = 0.5 * (wide2 + image[from + 6]), off = Math.abs(offAxis(row2, image[from + 2] - dv));
   if (off - half >= spread) return off - half - spread;
-  return Math.max(Math.min(half - off - spread, u - reach2, row2.length - u - reach2), 0);
+  return Math.max(Math.min(half - off - spread, u - reach3, row2.length - u - reach3), 0);
 }
 function isAtEnd(row2, image, from, du, dv) {
   const u = image[from + 1] - du, v = image[from + 2] - dv;
-  const reach2 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
-  if (u + reach2 <= -room || u - reach2 >= row2.length + room) return false;
-  if (u - reach2 >= room && u + reach2 <= row2.length - room) return false;
+  const reach3 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  if (u + reach3 <= -room || u - reach3 >= row2.length + room) return false;
+  if (u - reach3 >= room && u + reach3 <= row2.length - room) return false;
   return !isInGap(row2, image, from, v, row2.diameter * image[from + 3]);
 }
 function widened(image, from, length2) {
   return image[from + 8] > 0 ? length2 / image[from + 8] : length2 > 0 ? Infinity : 0;
 }
 function isInGap(row2, image, from, v, width) {
-  const least = image[from + 8], reach2 = 0.5 * (image[from + 5] + image[from + 6]);
-  const isAway = least > 0 && least * Math.abs(offAxis(row2, v)) > 0.5 * width + reach2;
-  return isAway && (v < row2.first || v > row2.last || reach2 < 0.5 * least * row2.pitch);
+  const least = image[from + 8], reach3 = 0.5 * (image[from + 5] + image[from + 6]);
+  const isAway = least > 0 && least * Math.abs(offAxis(row2, v)) > 0.5 * width + reach3;
+  return isAway && (v < row2.first || v > row2.last || reach3 < 0.5 * least * row2.pitch);
 }
 function mayHoldEnd(row2, image, from, du) {
-  const u = image[from + 1] - du, reach2 = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row2.diameter);
-  return Math.abs(u) < reach2 || Math.abs(row2.length - u) < reach2;
+  const u = image[from + 1] - du, reach3 = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row2.diameter);
+  return Math.abs(u) < reach3 || Math.abs(row2.length - u) < reach3;
 }
 function mayHoldEdge(row2, image, from, [du, dv], off) {
   if (!(image[from] > 0)) return false;
@@ -886,8 +886,8 @@ var RowCoverage = class {
     else this.until.fill(0);
     this.row = row2;
     this.isCurrent = false;
-    const step2 = difference(row2.origin, this.base.origin);
-    this.du = dot(row2.u, step2), this.dv = dot(row2.v, step2);
+    const step3 = difference(row2.origin, this.base.origin);
+    this.du = dot(row2.u, step3), this.dv = dot(row2.v, step3);
   }
   /** Offset of the row along its lamps and across them since the images were made, mm. */
   get moved() {
@@ -1193,13 +1193,13 @@ var draftRange = 15;
 var unknown = [0.07, 0.07, 0.07];
 var ground = [0.5, 0.5, 0.5];
 function lookColors(look, buffer, scale) {
-  const color = colorOf(look, buffer, scale), colors = new Float32Array(3 * buffer.paths);
+  const color = colorOf(look, buffer, scale), colors2 = new Float32Array(3 * buffer.paths);
   const facing = facingOf(buffer);
   for (let path = 0; path < buffer.paths; ++path) {
     const own = color(path), shade = 0.55 + 0.45 * facing(path);
-    for (let k = 0; k < 3; ++k) colors[3 * path + k] = own[k] * shade;
+    for (let k = 0; k < 3; ++k) colors2[3 * path + k] = own[k] * shade;
   }
-  return colors;
+  return colors2;
 }
 function colorOf(look, buffer, scale) {
   switch (look) {
@@ -1238,9 +1238,9 @@ function highlightPhase(buffer, rows) {
   return (path) => {
     const place = placeOf(buffer, path), normal = normalOf(buffer, path);
     for (const row2 of rows) {
-      const reach2 = dot(row2.normal, difference(row2.origin, place)) / dot(row2.normal, normal);
-      if (!(reach2 > 0 && Number.isFinite(reach2) && row2.pitch > 0)) continue;
-      const at = sum(place, scaled(normal, reach2));
+      const reach3 = dot(row2.normal, difference(row2.origin, place)) / dot(row2.normal, normal);
+      if (!(reach3 > 0 && Number.isFinite(reach3) && row2.pitch > 0)) continue;
+      const at = sum(place, scaled(normal, reach3));
       return 2 * (dot(row2.v, difference(at, row2.origin)) - row2.first) / row2.pitch + 0.5;
     }
     return NaN;
@@ -1248,9 +1248,9 @@ function highlightPhase(buffer, rows) {
 }
 function reachOf(buffer, values) {
   const { pathOf, pixels, camera: { width }, rowStep } = buffer;
-  const slope = (path, step2) => {
+  const slope = (path, step3) => {
     let least = Infinity;
-    for (const other of [pathOf[pixels[path] - step2], pathOf[pixels[path] + step2]])
+    for (const other of [pathOf[pixels[path] - step3], pathOf[pixels[path] + step3]])
       if (other >= 0 && faceOf(buffer, other) === faceOf(buffer, path)) {
         const change2 = Math.abs(values[other] - values[path]);
         if (change2 < least) least = change2;
@@ -1261,13 +1261,13 @@ function reachOf(buffer, values) {
 }
 function bands(buffer, phase) {
   const dark = 0.06, light = 0.94, values = Float64Array.from({ length: buffer.paths }, (_, path) => phase(path));
-  const reach2 = reachOf(buffer, values);
+  const reach3 = reachOf(buffer, values);
   const lightUpTo = (x) => {
     const whole = Math.floor(x / 2);
     return whole + Math.min(Math.max(x - 2 * whole - 1, 0), 1);
   };
   return (path) => {
-    const x = values[path], r = Math.max(1e-6, 1e-12 * Math.abs(x), reach2(path));
+    const x = values[path], r = Math.max(1e-6, 1e-12 * Math.abs(x), reach3(path));
     const share2 = Number.isNaN(x) ? 0.5 : (lightUpTo(x + r) - lightUpTo(x - r)) / (2 * r), grey = dark + (light - dark) * share2;
     return [grey, grey, grey];
   };
@@ -1312,7 +1312,7 @@ function rainbow(share2) {
 function draftColor(buffer) {
   const steps = 8, floatAngle = 1e-4;
   const angles = Float64Array.from({ length: buffer.paths }, (_, path) => 90 - angleToVertical(normalOf(buffer, path)));
-  const reach2 = reachOf(buffer, angles);
+  const reach3 = reachOf(buffer, angles);
   const at = (angle) => {
     if (angle < -floatAngle) return mixed([0.98, 0.45, 0.32], [0.68, 0.02, 0.05], -angle / draftRange);
     if (angle < draftLimit - floatAngle) return [0.99, 0.84, 0.2];
@@ -1320,7 +1320,7 @@ function draftColor(buffer) {
   };
   return (path) => {
     if (faceOf(buffer, path) < 0) return ground;
-    const mean = [0, 0, 0], r = reach2(path);
+    const mean = [0, 0, 0], r = reach3(path);
     for (let i = 0; i < steps; ++i) {
       const own = at(angles[path] + r * ((2 * i + 1) / steps - 1));
       for (let k = 0; k < 3; ++k) mean[k] += own[k] / steps;
@@ -1521,6 +1521,53 @@ var SurfaceBuffer = class {
   }
 };
 
+// source/projection.ts
+var Projection = class extends CameraFrame {
+  constructor() {
+    super(...arguments);
+    this.x = 0;
+    // px
+    this.y = 0;
+    // px
+    this.depth = 0;
+  }
+  // mm from the eye, or from its plane
+  /** Takes the place that three numbers state; false for one beside or behind an eye. */
+  set(numbers2, at = 0) {
+    const { camera: { eye, width, height }, axes: { right: right2, up, forward } } = this;
+    const a = numbers2[at] - eye[0], b = numbers2[at + 1] - eye[1], c = numbers2[at + 2] - eye[2];
+    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
+    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
+    this.x = 0.5 * width + (a * right2[0] + b * right2[1] + c * right2[2]) * scale;
+    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
+    return scale > 0;
+  }
+};
+
+// source/sight.ts
+var slack = 2e-3;
+var Sight = class extends Projection {
+  constructor(buffer) {
+    super(buffer.camera);
+    this.buffer = buffer;
+  }
+  /** True if a place is as near as the surface at its pixel or one beside it: curves on silhouettes are seen. */
+  sees(place) {
+    if (!this.set(place)) return false;
+    const away = this.isParallel ? this.depth : length(difference(place, this.camera.eye));
+    return away <= this.farthest(Math.floor(this.x), Math.floor(this.y)) * (1 + slack);
+  }
+  /** The farthest surface at a pixel and around it, mm along the ray; 0 without any. */
+  farthest(x, y) {
+    const { buffer: { rowStep, pathOf, samples }, camera: { width, height } } = this, row2 = y - y % rowStep;
+    let farthest = 0;
+    for (let j = Math.max(row2 - rowStep, 0); j <= row2 + rowStep && j < height; j += rowStep)
+      for (let i = Math.max(x - 1, 0); i <= x + 1 && i < width; ++i)
+        if (pathOf[j * width + i] >= 0) farthest = Math.max(farthest, samples[8 * (j * width + i)]);
+    return farthest;
+  }
+};
+
 // source/picture.ts
 var looks = ["lamps", ...surfaceLooks];
 var srgb = (c) => c <= 31308e-7 ? 12.92 * c : 1.055 * c ** (1 / 2.4) - 0.055;
@@ -1586,12 +1633,16 @@ var Picture = class {
       if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(curvatureOf(kind, surface)));
     }
     const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
-    return Number((power * ([1, 2, 5].find((step2) => value <= step2 * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
+    return Number((power * ([1, 2, 5].find((step3) => value <= step3 * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
   }
   /** The path of a pixel, or of the nearest above that is there; -1 without one. */
   pathAt(x, y) {
     const { buffer } = this;
     return buffer?.pathOf[Math.floor(y / buffer.rowStep) * buffer.rowStep * buffer.camera.width + x] ?? -1;
+  }
+  /** What the buffer in hand sees; null without one. */
+  sight() {
+    return this.buffer && new Sight(this.buffer);
   }
   /** The nearest row of lamps whose plane the first reflection at a pixel meets; -1 without one. */
   rowAt(x, y, planes) {
@@ -1644,19 +1695,19 @@ var Picture = class {
   }
   /** Writes the light of the paths that the last update of the lamps changed. */
   writeChanged(white) {
-    const { list: list3, count } = this.lamps.changed;
-    for (let i = 0; i < count; ++i) this.write(list3[i], 1 / white);
+    const { list: list2, count } = this.lamps.changed;
+    for (let i = 0; i < count; ++i) this.write(list2[i], 1 / white);
   }
   write(path, perWhite) {
     const light = this.lamps.luminance, at = 3 * path;
     this.words[this.buffer.pixels[path]] = word(byteOf(light[at] * perWhite), byteOf(light[at + 1] * perWhite), byteOf(light[at + 2] * perWhite));
   }
   drawLook(look, display, buffer) {
-    const colors = lookColors(look, buffer, display), byte = (share2) => Math.round(255 * Math.min(share2, 1)), none = byte(0.07);
+    const colors2 = lookColors(look, buffer, display), byte = (share2) => Math.round(255 * Math.min(share2, 1)), none = byte(0.07);
     this.shown = look;
     this.words.fill(word(none, none, none));
     for (let path = 0, at = 0; path < buffer.paths; ++path, at += 3)
-      this.words[buffer.pixels[path]] = word(byte(colors[at]), byte(colors[at + 1]), byte(colors[at + 2]));
+      this.words[buffer.pixels[path]] = word(byte(colors2[at]), byte(colors2[at + 1]), byte(colors2[at + 2]));
   }
   /** Shows rows that are not there yet by the nearest above. */
   repeatRows({ rowStep, camera: { width, height } }) {
@@ -1749,29 +1800,6 @@ var EyeOverlay = class {
       this.drawn = camera;
     }
     requestAnimationFrame(() => this.follow());
-  }
-};
-
-// source/projection.ts
-var Projection = class extends CameraFrame {
-  constructor() {
-    super(...arguments);
-    this.x = 0;
-    // px
-    this.y = 0;
-    // px
-    this.depth = 0;
-  }
-  // mm from the eye, or from its plane
-  /** Takes the place that three numbers state; false for one beside or behind an eye. */
-  set(numbers2, at = 0) {
-    const { camera: { eye, width, height }, axes: { right: right2, up, forward } } = this;
-    const a = numbers2[at] - eye[0], b = numbers2[at + 1] - eye[1], c = numbers2[at + 2] - eye[2];
-    this.depth = a * forward[0] + b * forward[1] + c * forward[2];
-    const scale = 1 / (this.size * (this.isParallel ? 1 : this.depth));
-    this.x = 0.5 * width + (a * right2[0] + b * right2[1] + c * right2[2]) * scale;
-    this.y = 0.5 * height - (a * up[0] + b * up[1] + c * up[2]) * scale;
-    return scale > 0;
   }
 };
 
@@ -1913,7 +1941,7 @@ function rowAxes(plane) {
   const along = unit(plane.u), normal = unit(cross(plane.u, plane.v));
   return { along, across: cross(normal, along), normal };
 }
-var moved = (plane, step2) => ({ ...plane, origin: sum(plane.origin, step2) });
+var moved = (plane, step3) => ({ ...plane, origin: sum(plane.origin, step3) });
 function turnedRow(plane, axis, angle) {
   const middle2 = sum(plane.origin, scaled(sum(plane.u, plane.v), 0.5)), turn = (a) => turned(a, axis, angle);
   return { ...plane, origin: sum(middle2, turn(difference(plane.origin, middle2))), u: turn(plane.u), v: turn(plane.v) };
@@ -1921,9 +1949,9 @@ function turnedRow(plane, axis, angle) {
 function mmOfPixel(camera) {
   return pixelSize(camera) * (camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye)));
 }
-function movedWithin(plane, step2) {
+function movedWithin(plane, step3) {
   const { along, across } = rowAxes(plane);
-  return moved(plane, sum(scaled(along, dot(step2, along)), scaled(across, dot(step2, across))));
+  return moved(plane, sum(scaled(along, dot(step3, along)), scaled(across, dot(step3, across))));
 }
 function dragged(plane, camera, x, y) {
   const { right: right2, up } = axesOf(camera);
@@ -2130,15 +2158,16 @@ var arrows = {
   ArrowDown: [0, arrowStep]
 };
 function keysOf(host) {
-  const step2 = 50, angle = 2;
+  const step3 = 50, angle = 2;
   return [
     ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => host.chooseLook(look) })),
     ...host.views().map(({ name, show }, i) => ({ key: String(i), words: `view: ${name}`, act: show })),
     { key: "n", words: "the next row of lamps", act: () => host.lamps.next() },
-    { key: "+", words: "row 50 mm along its normal", act: () => host.lamps.move("normal", step2) },
-    { key: "-", words: "row 50 mm back", act: () => host.lamps.move("normal", -step2) },
+    { key: "+", words: "row 50 mm along its normal", act: () => host.lamps.move("normal", step3) },
+    { key: "-", words: "row 50 mm back", act: () => host.lamps.move("normal", -step3) },
     { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
     { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
+    { key: "s", words: "seams over the picture, by verdict", act: () => host.toggleSeams() },
     { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
     { key: "?", words: "this list", act: () => showKeys(host) }
   ];
@@ -2147,7 +2176,7 @@ function showKeys(host) {
   showDialog("Keys and mouse", [
     ["mouse", `${mouseHelp[host.style()]}; wheel zooms`],
     ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
-    ["click", "place, normal and radii"],
+    ["click", "place, normal and radii; on a seam its verdict"],
     ["arrows", "turn; with Shift pan; with Ctrl move the row"],
     ...keysOf(host).map(({ key, words: words2 }) => [key, words2])
   ]);
@@ -2207,9 +2236,9 @@ var LampRows = class {
   follow(from, to) {
     const { row: row2 } = this;
     if (!row2) return;
-    const begin = this.host.mirroredOn(...from, row2), end = this.host.mirroredOn(...to, row2), step2 = begin && end && difference(end, begin);
+    const begin = this.host.mirroredOn(...from, row2), end = this.host.mirroredOn(...to, row2), step3 = begin && end && difference(end, begin);
     const farthest = 0.25 * Math.max(length(row2.u), length(row2.v));
-    if (step2 && length(step2) <= farthest) this.edit(this.chosen, (plane) => movedWithin(plane, step2));
+    if (step3 && length(step3) <= farthest) this.edit(this.chosen, (plane) => movedWithin(plane, step3));
     else this.drag(to[0] - from[0], to[1] - from[1]);
   }
   /** Moves the chosen row in its plane, by pixels of the picture at the target; the caller shows it. */
@@ -2311,12 +2340,13 @@ function noteOf(given) {
 function keepInAddress(state) {
   history.replaceState(null, "", `#${fragmentOf(state)}`);
 }
-function fragmentOf({ camera, look, planes, hidden, section, notes }) {
+function fragmentOf({ camera, look, planes, hidden, section, seams, notes }) {
   const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
   for (const plane of planes ?? []) fragment.append("row", rowText(plane));
   if (planes?.length === 0) fragment.append("rows", "none");
   if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
   if (section) fragment.append("section", section);
+  if (seams) fragment.set("seams", "shown");
   for (const note of notes) fragment.append("note", noteText(note));
   return fragment;
 }
@@ -2332,6 +2362,7 @@ function stateOfAddress() {
     planes: isOwn ? rows : null,
     hidden,
     section: given.get("section") ?? "",
+    seams: given.get("seams") === "shown",
     notes
   };
 }
@@ -2683,6 +2714,10 @@ var LivePicture = class {
   pick(x, y) {
     return this.picture.pick(x, y);
   }
+  /** What the picture in hand sees; null without one. */
+  sight() {
+    return this.picture.sight();
+  }
   /** The nearest of some rows that a pixel mirrors; -1 without one. */
   rowAt(x, y, planes) {
     return this.picture.rowAt(x, y, planes);
@@ -2769,13 +2804,22 @@ var LivePicture = class {
 // source/polyline.ts
 function stroke(context, points) {
   context.beginPath();
+  follow(context, points);
+  context.stroke();
+}
+function strokeAll(context, lines2, color, width) {
+  Object.assign(context, { strokeStyle: color, lineWidth: width });
+  context.beginPath();
+  for (const line of lines2) follow(context, line);
+  context.stroke();
+}
+function follow(context, points) {
   let isDown = false;
   for (const point of points) {
     if (point && isDown) context.lineTo(...point);
     else if (point) context.moveTo(...point);
     isDown = point !== null;
   }
-  context.stroke();
 }
 
 // source/marks.ts
@@ -3010,41 +3054,6 @@ function faultsPanel(into, host) {
   into.replaceChildren(button("inspect", () => void fetchAll(ask("GET", "/inspect"))), withLines, found);
 }
 
-// source/seams.ts
-var order = ["fail", "undecided", "pass"];
-function entry2(host, seam) {
-  return element("tr", [
-    element("td", seam.verdict, { className: seam.verdict }),
-    element("td", seam.kind),
-    element("td", [button(seam.faces, () => host.flyTo(seam.middle))])
-  ]);
-}
-var atOnce2 = 20;
-function list2(host, seams) {
-  const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || a.number - b.number);
-  const faulty = sorted.filter((seam) => seam.verdict !== "pass").length, first = Math.max(faulty, atOnce2);
-  const shown2 = element("table", sorted.slice(0, first).map((seam) => entry2(host, seam))), left2 = sorted.slice(first);
-  if (left2.length === 0) return shown2;
-  const more = button(`${left2.length} more, which pass`, () => {
-    shown2.append(...left2.map((seam) => entry2(host, seam)));
-    more.remove();
-  });
-  return element("div", [shown2, more]);
-}
-function seamsPanel(into, host) {
-  const judge = async () => {
-    try {
-      host.tell("judging the seams");
-      const { seams } = await (await ask("GET", "/seams")).json();
-      into.replaceChildren(seams.length > 0 ? list2(host, seams) : element("p", "no seams"));
-      host.tell(`${seams.length} stretches of seams, the worst first`);
-    } catch (error) {
-      host.fail(error);
-    }
-  };
-  into.replaceChildren(button("judge", () => void judge()));
-}
-
 // source/page_panel.ts
 var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
 function namedViews(facts2) {
@@ -3071,7 +3080,6 @@ function showPanel(host, canvas) {
   );
   showLamps(host);
   lampButtons(host);
-  seamsPanel(byId("seams"), host);
   faultsPanel(byId("faults"), host);
   comparePanel(byId("compare"), host, canvas);
   byId("page").replaceChildren(
@@ -3141,6 +3149,225 @@ async function copyLink(state, tell) {
     showDialog("Link", [["address", linkOf(state)]]);
   }
 }
+
+// source/seam.ts
+var continuities = [
+  { label: "G0", name: "gap", mending: "position", of: (seam) => seam.gap, unit: " mm", shown: 1 },
+  { label: "G1", name: "angle", mending: "tangent", of: (seam) => seam.angle, unit: "°", shown: 1 },
+  { label: "G2", name: "curvature mismatch", mending: "curvature", of: (seam) => seam.curvature, unit: " %", shown: 100 },
+  { label: "G3", name: "slope of curvature", mending: "curvature", of: (seam) => seam.curvature_slope, unit: "°", shown: 1 },
+  { label: "run-out", name: "step where the crease fades", mending: "tangent", of: (seam) => seam.fading, unit: "°/mm", shown: 1 }
+];
+function failing(seam) {
+  return continuities.find(({ of }) => of(seam)?.verdict === "fail");
+}
+function worstPlace(seam) {
+  return failing(seam)?.of(seam)?.place ?? seam.middle;
+}
+function measures(seam) {
+  return continuities.flatMap(({ label, name, of, unit: unit2, shown: shown2 }) => {
+    const measured = of(seam), digits = (value) => `${Number((shown2 * value).toPrecision(3))}${unit2}`;
+    if (!measured) return [];
+    const limit = measured.limit === null ? "not judged" : `limit ${digits(measured.limit)}`;
+    return [{ words: `${label} ${name} ${digits(measured.value)}, ${limit}`, verdict: measured.verdict ?? "soft" }];
+  });
+}
+
+// source/seam_lines.ts
+var reach2 = 6;
+var step2 = 4;
+var apart = 16;
+var colors = { scrap: "#9aa4ad", pass: "#4cd964", undecided: "#ffb300", fail: "#ff4a4a" };
+var styleOf = (seam) => seam.scrap ? "scrap" : seam.verdict;
+var SeamLines = class {
+  constructor(picture, host) {
+    this.host = host;
+    this.seams = [];
+    this.drawn = [];
+    this.overlay = new EyeOverlay("seam-lines", picture, () => host.camera(), (context, camera) => this.draw(context, camera));
+  }
+  /** Shows these seams, none or more. */
+  show(seams) {
+    this.seams = seams;
+    this.drawn = [];
+    this.overlay.show(seams.length > 0);
+  }
+  /** The picture sees other surfaces than when the seams were drawn. */
+  update() {
+    if (this.seams.length > 0) this.overlay.show(true);
+  }
+  /** The visible seam at a pixel of the picture, of several that which fails; null without one. */
+  at(x, y) {
+    const isNear = (point) => point !== null && Math.hypot(point[0] - x, point[1] - y) <= reach2;
+    const near = this.drawn.filter(({ lines: lines2, label }) => isNear(label && label.at) || lines2.some((line) => line.some(isNear)));
+    return near[near.length - 1]?.seam ?? null;
+  }
+  draw(context, camera) {
+    const sight = this.host.sight(), hidden = new Set(this.host.hidden());
+    if (!sight) return;
+    const found = new VisibleCurves(camera, sight), order2 = Object.keys(colors);
+    this.drawn = this.seams.filter(({ face_ids: [a, b] }) => !hidden.has(a) || !hidden.has(b)).map((seam) => ({ seam, lines: seam.course.map((piece) => found.curve(piece)), label: labelOf(seam, found) })).sort((a, b) => order2.indexOf(styleOf(a.seam)) - order2.indexOf(styleOf(b.seam)));
+    for (const style of order2) {
+      const lines2 = this.drawn.filter(({ seam }) => styleOf(seam) === style).flatMap((seam) => seam.lines);
+      strokeAll(context, lines2, "#000", 3);
+      strokeAll(context, lines2, colors[style], 1.5);
+    }
+    this.drawLabels(context);
+  }
+  drawLabels(context) {
+    const placed = [];
+    Object.assign(context, { font: "bold 12px sans-serif", textAlign: "center", textBaseline: "middle" });
+    for (const { label } of this.drawn) {
+      if (!label || placed.some(([x2, y2]) => Math.hypot(x2 - label.at[0], y2 - label.at[1]) < apart)) continue;
+      const [x, y] = label.at, half = context.measureText(label.text).width / 2 + 3, high2 = 8;
+      context.fillStyle = "#000c";
+      context.fillRect(x - half, y - high2, 2 * half, 2 * high2);
+      context.fillStyle = colors.fail;
+      context.fillText(label.text, x, y + 0.5);
+      placed.push(label.at);
+    }
+  }
+};
+function labelOf(seam, found) {
+  const fails = failing(seam), place = fails && found.point(worstPlace(seam)), above = 14;
+  return place ? { text: fails.label, at: [place[0], place[1] - above] } : null;
+}
+var VisibleCurves = class extends Projection {
+  constructor(camera, sight) {
+    super(camera);
+    this.sight = sight;
+  }
+  point(place) {
+    return this.set(place) && this.sight.sees(place) ? [this.x, this.y] : null;
+  }
+  curve(places) {
+    const ends = places.map((place) => this.set(place) ? [this.x, this.y] : null);
+    return places.flatMap((place, i) => i === 0 ? [this.point(place)] : this.chord(places[i - 1], place, ends[i - 1], ends[i]));
+  }
+  /** The places of a chord but for its first. */
+  chord(a, b, from, to) {
+    if (!from || !to || this.isBeside(from, to)) return [null];
+    const steps = Math.min(Math.max(1, Math.ceil(Math.hypot(to[0] - from[0], to[1] - from[1]) / step2)), 1e3);
+    return Array.from({ length: steps }, (_, k) => {
+      const share2 = (k + 1) / steps;
+      return this.point([a[0] + (b[0] - a[0]) * share2, a[1] + (b[1] - a[1]) * share2, a[2] + (b[2] - a[2]) * share2]);
+    });
+  }
+  isBeside(a, b) {
+    const { width, height } = this.camera;
+    return Math.max(a[0], b[0]) < 0 || Math.min(a[0], b[0]) > width || Math.max(a[1], b[1]) < 0 || Math.min(a[1], b[1]) > height;
+  }
+};
+
+// source/seams.ts
+var order = ["fail", "undecided", "pass"];
+var atOnce2 = 20;
+var SeamsPanel = class {
+  constructor(into, host, picture) {
+    this.host = host;
+    this.seams = null;
+    // judged on request, once
+    this.isOver = false;
+    // they are drawn over the picture, or will be
+    this.chosen = new AbortController();
+    this.head = element("p");
+    this.detail = element("div", "", { id: "seam" });
+    this.found = element("div");
+    this.buttons = /* @__PURE__ */ new Map();
+    this.lines = new SeamLines(picture, host);
+    into.replaceChildren(this.head, this.detail, this.found);
+    this.head.append(button("judge", () => void this.show(true)));
+  }
+  /** True if they are drawn over the picture. */
+  get shown() {
+    return this.isOver;
+  }
+  /** Draws the seams over the picture, or takes them off; judges them before if nobody has. */
+  async show(isOver) {
+    this.isOver = isOver;
+    this.host.keep();
+    try {
+      const seams = isOver ? await (this.seams ??= this.judged()) : [];
+      if (isOver !== this.isOver) return;
+      this.lines.show(seams);
+      this.head.firstElementChild.setAttribute("aria-pressed", String(isOver));
+    } catch (error) {
+      this.seams = null;
+      this.isOver = false;
+      this.host.fail(error);
+    }
+  }
+  toggle() {
+    void this.show(!this.isOver);
+  }
+  /** The picture sees other surfaces than when the seams were drawn. */
+  update() {
+    this.lines.update();
+  }
+  /** Chooses the seam at a pixel of the picture; null without one. */
+  pick(x, y) {
+    const seam = this.isOver ? this.lines.at(x, y) : null;
+    if (seam) this.choose(seam);
+    return seam;
+  }
+  async judged() {
+    this.host.tell("judging the seams");
+    const { seams } = await (await ask("GET", "/seams")).json();
+    const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || b.severity - a.severity || a.number - b.number);
+    this.host.tell(`${seams.length} stretches of seams, the worst first`);
+    this.head.replaceChildren(button("over the picture", () => this.toggle()));
+    this.found.replaceChildren(seams.length > 0 ? this.list(sorted) : element("p", "no seams"));
+    return sorted;
+  }
+  /** The seams in their order; many that pass on request. */
+  list(seams) {
+    const faulty = seams.filter((seam) => seam.verdict !== "pass").length, first = Math.max(faulty, atOnce2);
+    const shown2 = element("table", seams.slice(0, first).map((seam) => this.entry(seam))), left2 = seams.slice(first);
+    if (left2.length === 0) return shown2;
+    const more = button(`${left2.length} more, which pass`, () => {
+      shown2.append(...left2.map((seam) => this.entry(seam)));
+      more.remove();
+    });
+    return element("div", [shown2, more]);
+  }
+  entry(seam) {
+    const named = button(seam.faces, () => this.flyTo(seam));
+    this.buttons.set(seam, named);
+    return element("tr", [
+      element("td", seam.verdict, { className: seam.verdict }),
+      element("td", failing(seam)?.label ?? seam.kind),
+      element("td", [named])
+    ]);
+  }
+  flyTo(seam) {
+    this.host.flyTo(worstPlace(seam));
+    this.host.mark(worstPlace(seam), seam.course);
+    this.choose(seam);
+  }
+  /** Shows what is known of a seam above the list. */
+  choose(seam) {
+    for (const [other, named] of this.buttons) named.setAttribute("aria-pressed", String(other === seam));
+    const plot = element("div");
+    this.detail.replaceChildren(
+      element("p", [button("fly there", () => this.flyTo(seam)), new Text(`${seam.faces}, ${seam.kind}, ${seam.length.toFixed(1)} mm`)]),
+      ...measures(seam).map(({ words: words2, verdict }) => element("div", words2, { className: verdict })),
+      plot
+    );
+    this.detail.scrollIntoView({ block: "nearest" });
+    this.chosen.abort();
+    this.chosen = new AbortController();
+    void this.plot(seam, plot, this.chosen.signal);
+  }
+  async plot(seam, into, signal) {
+    try {
+      const { profiles: [profile] } = await (await ask("POST", "/profile", String(seam.number), signal)).json();
+      into.replaceChildren(profilePlot(profile, failing(seam)?.mending ?? "tangent"));
+      into.scrollIntoView({ block: "nearest" });
+    } catch (error) {
+      if (!signal.aborted) into.replaceChildren(element("p", error instanceof Error ? error.message : String(error), { className: "soft" }));
+    }
+  }
+};
 
 // source/section.ts
 var longestTooth = 0.06;
@@ -3319,6 +3546,7 @@ var Viewer = class {
     const { canvas } = this.picture;
     this.gizmo = new Gizmo(canvas.parentElement, (move, amount, isOver) => this.lamps.move(move, amount, isOver));
     this.section = new SectionPanel(byId("section"), this, canvas);
+    this.seams = new SeamsPanel(byId("seams"), this, canvas);
     this.tree = new Tree(byId("tree"), this);
     this.marks = new Marks(canvas, () => this.eye);
     this.analysis = new AnalysisPanel(byId("analysis"), this, canvas);
@@ -3354,6 +3582,9 @@ var Viewer = class {
   display() {
     return this.picture.display();
   }
+  sight() {
+    return this.picture.sight();
+  }
   pictured() {
     return { camera: this.eye, planes: this.lamps.all, hidden: this.left };
   }
@@ -3363,13 +3594,14 @@ var Viewer = class {
   mirroredOn(x, y, plane) {
     return this.picture.mirroredOn(x, y, plane);
   }
-  restore({ camera, look, planes, hidden, section, notes }) {
+  restore({ camera, look, planes, hidden, section, seams, notes }) {
     this.eye = { ...this.facts.camera, ...camera };
     this.lamps.take(planes ?? this.lamps.all);
     this.stated = look;
     this.left = hidden;
     this.analysis.notes.show(notes);
     if (section) this.section.show(section);
+    if (seams) void this.seams.show(true);
   }
   take({ views: [first], sections, hidden, rig }) {
     this.lamps.take(rig.planes);
@@ -3387,6 +3619,7 @@ var Viewer = class {
       planes: all === this.facts.rig.planes ? null : all,
       hidden: this.left,
       section: this.section.plane,
+      seams: this.seams.shown,
       notes: this.analysis.notes.all
     };
   }
@@ -3394,6 +3627,7 @@ var Viewer = class {
     keepInAddress(this.state());
   }
   settled() {
+    this.seams.update();
     this.keep();
   }
   drawn() {
@@ -3422,7 +3656,9 @@ var Viewer = class {
     const picked = this.picture.pick(x, y);
     showPlace(picked, this.picked, this.facts, (note) => this.analysis.addNote(note));
     this.picked = picked ?? this.picked;
-    this.marks.move(picked && picked.place);
+    const seam = picked && this.seams.pick(x, y);
+    if (seam) this.mark(picked.place, seam.course);
+    else this.marks.move(picked && picked.place);
   }
   mark(place, stretch = []) {
     this.marks.show(place, stretch);
@@ -3451,6 +3687,9 @@ var Viewer = class {
     this.mouse = style;
     localStorage.setItem("mouse", style);
     this.tell(mouseHelp[style]);
+  }
+  toggleSeams() {
+    this.seams.toggle();
   }
   copyLink() {
     void copyLink(this.state(), (line) => this.tell(line));

@@ -52,12 +52,3 @@ export interface Facts {
   remarks: { entity: string; message: string }[];
   rig: Rig;
 }
-
-/** A stretch of a seam in keiko-inspection/1, as far as the page shows it. */
-export interface Seam {
-  number: number;
-  faces: string;
-  verdict: string;
-  kind: string;
-  middle: Vector;
-}

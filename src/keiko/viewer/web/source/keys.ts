@@ -8,6 +8,8 @@ export interface KeyHost extends PointerHost {
   views(): { name: string; show: () => void }[];
   chooseLook(look: Look): void;
   savePicture(): void;
+  /** Draws the seams over the picture, or takes them off. */
+  toggleSeams(): void;
 }
 
 const lookKeys: Record<string, Look> = {
@@ -28,6 +30,7 @@ function keysOf(host: KeyHost): Key[] {
     { key: "-", words: "row 50 mm back", act: () => host.lamps.move("normal", -step) },
     { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
     { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
+    { key: "s", words: "seams over the picture, by verdict", act: () => host.toggleSeams() },
     { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
     { key: "?", words: "this list", act: () => showKeys(host) },
   ];
@@ -37,7 +40,7 @@ function keysOf(host: KeyHost): Key[] {
 export function showKeys(host: KeyHost): void {
   showDialog("Keys and mouse", [
     ["mouse", `${mouseHelp[host.style()]}; wheel zooms`], ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
-    ["click", "place, normal and radii"], ["arrows", "turn; with Shift pan; with Ctrl move the row"],
+    ["click", "place, normal and radii; on a seam its verdict"], ["arrows", "turn; with Shift pan; with Ctrl move the row"],
     ...keysOf(host).map(({ key, words }) => [key, words] as const),
   ]);
 }

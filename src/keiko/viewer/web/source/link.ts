@@ -15,6 +15,7 @@ export interface ViewState {
   planes: Plane[] | null; // null: those of the rig
   hidden: number[];       // faces that are not shown
   section: string;        // "y=120", or "" for none
+  seams: boolean;         // drawn over the picture
   notes: Note[];
 }
 
@@ -73,12 +74,13 @@ export function keepInAddress(state: ViewState): void {
   history.replaceState(null, "", `#${fragmentOf(state)}`);
 }
 
-function fragmentOf({ camera, look, planes, hidden, section, notes }: ViewState): URLSearchParams {
+function fragmentOf({ camera, look, planes, hidden, section, seams, notes }: ViewState): URLSearchParams {
   const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
   for (const plane of planes ?? []) fragment.append("row", rowText(plane));
   if (planes?.length === 0) fragment.append("rows", "none");
   if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
   if (section) fragment.append("section", section);
+  if (seams) fragment.set("seams", "shown");
   for (const note of notes) fragment.append("note", noteText(note));
   return fragment;
 }
@@ -91,7 +93,8 @@ export function stateOfAddress(): ViewState | null {
   if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
   const isOwn = rows.length > 0 || given.get("rows") === "none";
   return {
-    camera, look, planes: isOwn ? rows as Plane[] : null, hidden, section: given.get("section") ?? "", notes: notes as Note[],
+    camera, look, planes: isOwn ? rows as Plane[] : null, hidden, section: given.get("section") ?? "",
+    seams: given.get("seams") === "shown", notes: notes as Note[],
   };
 }
 

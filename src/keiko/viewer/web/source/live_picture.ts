@@ -4,6 +4,7 @@ import { Facts, Plane } from "./facts";
 import { StatedLook } from "./look_words";
 import { byId } from "./panel";
 import { Display, Picked, Picture } from "./picture";
+import { Sight } from "./sight";
 import { Tracing } from "./tracing";
 import { Vector } from "./vector";
 
@@ -52,6 +53,11 @@ export class LivePicture {
   /** The surface at a pixel, if there is one. */
   pick(x: number, y: number): Picked | null {
     return this.picture.pick(x, y);
+  }
+
+  /** What the picture in hand sees; null without one. */
+  sight(): Sight | null {
+    return this.picture.sight();
   }
 
   /** The nearest of some rows that a pixel mirrors; -1 without one. */

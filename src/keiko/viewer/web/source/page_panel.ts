@@ -8,7 +8,6 @@ import { curvatureKinds, CurvatureKind, StatedLook } from "./look_words";
 import { MouseStyle, mouseStyles } from "./mouse";
 import { button, byId, choice, download, selection, showFacts } from "./panel";
 import { Look, looks } from "./picture";
-import { seamsPanel } from "./seams";
 import { viewText } from "./server";
 
 const shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front", "three-quarter-rear"];
@@ -47,7 +46,6 @@ export function showPanel(host: PageHost, canvas: HTMLElement): void {
     button("save view", () => download("view.toml", new Blob([viewText(host.camera())]))));
   showLamps(host);
   lampButtons(host);
-  seamsPanel(byId("seams"), host);
   faultsPanel(byId("faults"), host);
   comparePanel(byId("compare"), host, canvas);
   byId("page").replaceChildren(button("picture", () => host.savePicture()), button("copy link", () => host.copyLink()),

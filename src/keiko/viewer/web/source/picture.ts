@@ -7,6 +7,7 @@ import { CurvatureKind } from "./look_words";
 import { rayNumbers } from "./ray";
 import { RowFrame } from "./row_frame";
 import { SurfaceBuffer } from "./surface_buffer";
+import { Sight } from "./sight";
 import { scaled, sum, Vector } from "./vector";
 
 export const looks = ["lamps", ...surfaceLooks] as const;
@@ -112,6 +113,11 @@ export class Picture {
   private pathAt(x: number, y: number): number {
     const { buffer } = this;
     return buffer?.pathOf[Math.floor(y / buffer.rowStep) * buffer.rowStep * buffer.camera.width + x] ?? -1;
+  }
+
+  /** What the buffer in hand sees; null without one. */
+  sight(): Sight | null {
+    return this.buffer && new Sight(this.buffer);
   }
 
   /** The nearest row of lamps whose plane the first reflection at a pixel meets; -1 without one. */

@@ -18,12 +18,14 @@ import { showPlace } from "./pick_panel";
 import { Display, Look, Picked } from "./picture";
 import { Pointer } from "./pointer";
 import { copyLink, savePicture } from "./saving";
+import { SeamsHost, SeamsPanel } from "./seams";
 import { SectionPanel } from "./section";
+import { Sight } from "./sight";
 import { Tree } from "./tree";
 import { difference, length, Vector } from "./vector";
 
 /** The page: one scene, the eye, the lamps and the look, and the parts that show and change them. */
-export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
+export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, SeamsHost {
   readonly lamps: LampRows;
   private eye: Camera;
   private left: number[] = []; // faces that are not shown
@@ -33,6 +35,7 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
   private readonly picture: LivePicture;
   private readonly gizmo: Gizmo;
   private readonly section: SectionPanel;
+  private readonly seams: SeamsPanel;
   private readonly tree: Tree;
   private readonly marks: Marks;
   private readonly analysis: AnalysisPanel;
@@ -45,6 +48,7 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
     const { canvas } = this.picture;
     this.gizmo = new Gizmo(canvas.parentElement!, (move, amount, isOver) => this.lamps.move(move, amount, isOver));
     this.section = new SectionPanel(byId("section"), this, canvas);
+    this.seams = new SeamsPanel(byId("seams"), this, canvas);
     this.tree = new Tree(byId("tree"), this);
     this.marks = new Marks(canvas, () => this.eye);
     this.analysis = new AnalysisPanel(byId("analysis"), this, canvas);
@@ -70,17 +74,19 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
   sections(): string[] { return this.section.planes; }
   style(): MouseStyle { return this.mouse; }
   display(): Display { return this.picture.display(); }
+  sight(): Sight | null { return this.picture.sight(); }
   pictured(): Pictured { return { camera: this.eye, planes: this.lamps.all, hidden: this.left }; }
   rowAt(x: number, y: number): number { return this.picture.rowAt(x, y, this.lamps.all); }
   mirroredOn(x: number, y: number, plane: Plane): Vector | null { return this.picture.mirroredOn(x, y, plane); }
 
-  private restore({ camera, look, planes, hidden, section, notes }: ViewState): void {
+  private restore({ camera, look, planes, hidden, section, seams, notes }: ViewState): void {
     this.eye = { ...this.facts.camera, ...camera };
     this.lamps.take(planes ?? this.lamps.all);
     this.stated = look;
     this.left = hidden;
     this.analysis.notes.show(notes);
     if (section) this.section.show(section);
+    if (seams) void this.seams.show(true);
   }
 
   take({ views: [first], sections, hidden, rig }: OpenedAnalysis): void {
@@ -96,7 +102,7 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
     const { all } = this.lamps;
     return {
       camera: this.eye, look: this.stated, planes: all === this.facts.rig.planes ? null : all, hidden: this.left,
-      section: this.section.plane, notes: this.analysis.notes.all,
+      section: this.section.plane, seams: this.seams.shown, notes: this.analysis.notes.all,
     };
   }
 
@@ -105,6 +111,7 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
   }
 
   settled(): void {
+    this.seams.update();
     this.keep();
   }
 
@@ -140,7 +147,9 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
     const picked = this.picture.pick(x, y);
     showPlace(picked, this.picked, this.facts, (note: Note) => this.analysis.addNote(note));
     this.picked = picked ?? this.picked;
-    this.marks.move(picked && picked.place);
+    const seam = picked && this.seams.pick(x, y);
+    if (seam) this.mark(picked.place, seam.course);
+    else this.marks.move(picked && picked.place);
   }
 
   mark(place: Vector, stretch: Vector[][] = []): void {
@@ -176,6 +185,10 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost {
     this.mouse = style;
     localStorage.setItem("mouse", style);
     this.tell(mouseHelp[style]);
+  }
+
+  toggleSeams(): void {
+    this.seams.toggle();
   }
 
   copyLink(): void {
