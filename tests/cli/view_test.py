@@ -337,6 +337,17 @@ class Answers(ViewTest):
         near = min(sum((a - b) ** 2 for a, b in zip(place, fault["place"])) ** 0.5 for place in ends)
         self.assertLess(near, fault["length"] / 10)
 
+    def test_a_picked_place_is_that_of_a_ray(self):
+        picked = self.json_of("POST", "/pick", "pixel = [48.5, 27.5]\n" + CAMERA % SIZE)["picked"]
+        eye = (-2000, -1500, 1800)
+        ray = ",".join(repr(x) for x in (*eye, *(p - e for p, e in zip(picked["place"], eye)))) + "\n"
+        row = self.keiko("trace", SCENE, "--out", "t,face", input=ray).stdout.splitlines()[1].split(",")
+        self.assertAlmostEqual(float(row[0]), 1, delta=1e-9)
+        self.assertEqual(int(row[1]), picked["face"])
+        for low, high in picked["curvatures"]:
+            self.assertLess(high - low, 1e-5)
+        self.assertIn("pixel", self.error_of(self.server.ask("POST", "/pick", CAMERA % SIZE), 400))
+
     def test_a_stretch_has_its_course_and_its_profile(self):
         model = surface("seam-g1-angle.step")
         self.server = self.serve(model)

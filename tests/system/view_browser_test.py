@@ -211,8 +211,14 @@ class Pictures(Page):
 
     def test_curvatures_of_each_kind_are_those_of_render(self):
         self.press("curvature")
-        for kind in "mean", "gauss", "k1", "k2", "absolute":
+        for kind in "mean", "gauss", "k1", "k2", "absolute", "section":
             self.browser.find_element(By.XPATH, f"//select[@aria-label='of']/option[text()='{kind}']").click()
+            if kind == "section":
+                self.browser.find_element(By.XPATH, "//select[@aria-label='across']/option[text()='x']").click()
+                direction = self.browser.find_element(By.CSS_SELECTOR, "#curvature-kind input")
+                self.assertEqual(direction.get_attribute("value"), "1,0,0")
+                direction.send_keys(Keys.CONTROL, "a")
+                direction.send_keys("1,2,0.5" + Keys.ENTER)
             shown = self.rested()
             self.press("picture")
             self.wait_for(lambda: self.browser.find_elements(By.TAG_NAME, "dialog"))
@@ -220,13 +226,19 @@ class Pictures(Page):
             self.press("close")
             look = re.search(r"--look (\S+)", command)[1]
             self.assertTrue(look.startswith(f"curvature:{kind}="), look)
-            self.succeed("render", "scene.toml", "-o", "render.png", "--look", look)
+            section = re.findall(r"--section (\S+)", command)
+            self.assertEqual(section, ["1,2,0.5"] if kind == "section" else [])
+            self.succeed("render", "scene.toml", "-o", "render.png", "--look", look, *(["--section", *section] if section else []))
             width, _, _, _ = png_file.read_png(self.folder / "render.png")
             wide = self.file_pixels("render.png")
             body = [i for i in range(480 * 70, 480 * 200) if 90 < i % 480 < 300 and shown[i] != shown[0]]
             self.assertGreater(len(body), 5000)
             _, beyond = differences([shown[i] for i in body], [wide[i // 480 * width + i % 480] for i in body])
             self.assertLess(beyond, 0.02, kind)
+        self.wait_for(lambda: "across=1%2C2%2C0.5" in self.browser.current_url)
+        self.browser.refresh()
+        self.wait_for(lambda: "surfaces in" in self.state())
+        self.assertEqual(self.rested(), shown)
 
     def test_a_row_is_moved_by_its_gizmo(self):
         before, address = self.rested(), self.browser.current_url
@@ -277,6 +289,46 @@ diameter = 100
         halved = [later[480 * (2 * (i // 240)) + 2 * (i % 240)] for i in range(240 * 135)]
         self.assertLess(differences(shown, halved)[1], 0.2)
 
+    def test_a_row_that_was_dragged_covers_what_a_new_picture_does(self):
+        # A drag keeps images of rays, and tests only those whose coverage may have changed; a view is drawn from scratch.
+        picture = self.browser.find_element(By.ID, "picture")
+        for name, key in (("#picture", Keys.CONTROL), ("#gizmo circle[data-move=normal]", None)):
+            element = self.browser.find_element(By.CSS_SELECTOR, name)
+            actions = ActionChains(self.browser, duration=10).move_to_element(element)
+            if key:
+                actions.key_down(key)
+            actions.click_and_hold()
+            for step in range(24):
+                actions.move_by_offset(3 if step < 16 else -2, (-1) ** step)
+            actions.release()
+            if key:
+                actions.key_up(key)
+            actions.perform()
+            self.wait_for_still()
+            dragged = self.rested()
+            self.browser.execute_script("document.getElementById('state').textContent = ''")
+            picture.send_keys("0")
+            self.wait_for(lambda: "exact" in self.state())
+            self.assertEqual(differences(self.rested(), dragged), (0, 0))
+
+    def test_lamps_that_move_while_surfaces_come_are_shown_on_all_of_them(self):
+        # Surfaces come late, and no exact picture at all.
+        self.browser.execute_script("""const now = window.fetch;
+            window.fetch = (path, ...more) => path === "/still" ? new Promise(() => {})
+              : path === "/deep" ? new Promise((done) => setTimeout(() => done(now(path, ...more)), 1500)) : now(path, ...more);""")
+        picture = self.browser.find_element(By.ID, "picture")
+        before = self.browser.current_url
+        picture.send_keys(Keys.ARROW_RIGHT)
+        picture.send_keys("+")
+        self.wait_for(lambda: self.browser.current_url != before)
+        shown = self.rested()
+        self.browser.refresh()
+        self.wait_for_still()
+        # The address rounds the eye to nine digits.
+        mean, beyond = differences(self.rested(), shown)
+        self.assertLess(mean, 0.01)
+        self.assertEqual(beyond, 0)
+
     def test_a_link_restores_the_view(self):
         self.drag(60, 30, Keys.CONTROL)
         self.wait_for_still()
@@ -310,12 +362,44 @@ class Revisions(Page):
         self.assertGreater(differences(now, alone)[1], 0.05)
         style = "return getComputedStyle(document.getElementById('%s')).%s"
         self.assertIn("50%", self.browser.execute_script(style % ("earlier", "clipPath")))
-        self.assertEqual(self.browser.execute_script(style % ("still", "display")), "none")
+        self.assertIn("50%", self.browser.execute_script(style % ("earlier-still", "clipPath")))
         self.press("difference")
         self.assertEqual(self.browser.execute_script(style % ("earlier", "mixBlendMode")), "difference")
         self.press("new")
         self.assertEqual(self.browser.execute_script(style % ("earlier", "display")), "none")
         self.assertEqual(self.errors(), [])
+
+    def test_both_exact_pictures_have_one_exposure(self):
+        raised = 'material = "mirror"\ntransform = { translate = [0, 0, 40] }'
+        self.write("earlier.toml", (SCENE % surface("hood.step")).replace('material = "mirror"', raised))
+        self.open("scene.toml", "--against", "earlier.toml")
+        self.browser.execute_script("""const now = window.fetch;
+            window.exposures = [];
+            window.fetch = (path, options) => {
+              if (path.endsWith("/still")) exposures.push(Number((/^ev = (.*)$/m.exec(options.body) ?? [])[1]));
+              return now(path, options);
+            };""")
+        self.press("both")
+        style = "return getComputedStyle(document.getElementById('%s')).display"
+        self.wait_for(lambda: all(self.browser.execute_script(style % name) != "none" for name in ("still", "earlier-still")))
+        exposures = self.browser.execute_script("return exposures")
+        self.assertEqual(exposures[-1], exposures[-2])
+        for name, scene in (("still", "scene.toml"), ("earlier-still", "earlier.toml")):
+            self.succeed("render", scene, "-o", "render.png", "--ev", repr(exposures[-1]))
+            self.assertEqual(self.pixels(self.canvas(name)), self.file_pixels("render.png"), name)
+        self.drag(60, 30, Keys.CONTROL)
+        self.wait_for(lambda: self.browser.execute_script(style % "still") == "none")
+        self.press("new")
+        self.wait_for_still()
+        self.succeed("render", "scene.toml", "-o", "render.png", "--rig", self.saved_rig())
+        self.assertEqual(self.pixels(self.canvas("still")), self.file_pixels("render.png"))
+        self.assertEqual(self.errors(), [])
+
+    def saved_rig(self) -> str:
+        self.press("save")
+        file = self.folder / "downloads" / "rig.toml"
+        self.wait_for(file.exists)
+        return str(file)
 
     def test_without_an_earlier_revision_nothing_offers_one(self):
         self.assertFalse(self.browser.find_element(By.ID, "compare").is_displayed())
@@ -428,12 +512,17 @@ class Panel(Page):
         ray = ",".join(map(str, (*eye, x - eye[0], y - eye[1], z - eye[2]))) + "\n"
         run = self.keiko("trace", "scene.toml", "--out", "t", input=ray)
         self.assertAlmostEqual(float(run.stdout.splitlines()[1]), 1, delta=1e-5)
+        self.wait_for(lambda: "±" in self.text("pick"))
+        lines = self.text("pick").split("\n")
+        bound = float(lines[lines.index("proved to") + 1].partition(" mm")[0])
+        self.assertTrue(0 < bound < 1e-6, bound)
+        self.assertRegex(lines[lines.index("radii") + 1], r"^[0-9.]+ ± [0-9.e+-]+ mm \w+, [0-9.]+ ± [0-9.e+-]+ mm \w+$")
 
     def test_two_clicks_tell_how_far_apart_their_places_are(self):
         canvas, places = self.browser.find_element(By.ID, "picture"), []
         for x in (-40, 40):
             ActionChains(self.browser).move_to_element_with_offset(canvas, x, 0).click().perform()
-            awaited = "from the last" if places else "rounding"
+            awaited = "from the last" if places else "proved to"
             self.wait_for(lambda: awaited in self.text("pick"))
             lines = self.text("pick").split("\n")
             places.append(tuple(map(float, lines[lines.index("place") + 1].removesuffix(" mm").split(","))))

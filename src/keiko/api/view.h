@@ -7,6 +7,7 @@
 #include "keiko/workflow/check_scene.h"
 #include "keiko/workflow/deep_view.h"
 #include "keiko/workflow/hidden_faces.h"
+#include "keiko/workflow/pick_place.h"
 #include "keiko/workflow/report_folder.h"
 #include "keiko/workflow/scene_faults.h"
 #include "keiko/workflow/view_analysis.h"

@@ -98,6 +98,7 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "GET /analysis") return text_reply(scene_.analysis());
     if (asked == "POST /deep") return deep(request, client);
     if (asked == "POST /still") return still(request, client);
+    if (asked == "POST /pick") return pick(request);
     if (scene_.against() && request.path.starts_with("/against/")) return against(request, client);
     if (asked == "GET /events") return events(client);
     LatestWork::Turn turn(work_, client,
@@ -128,6 +129,7 @@ HttpReply Endpoints::against(const HttpRequest& request, const std::string& clie
     if (asked == "GET /against/scene")
         return text_reply(view_json(view_facts(earlier, scene_.view()), scene_.rig()));
     if (asked == "POST /against/deep") return deep(request, client, &earlier);
+    if (asked == "POST /against/still") return still(request, client, &earlier);
     return error_reply(404, no_such);
 }
 
@@ -142,6 +144,14 @@ HttpReply Endpoints::new_rig(const HttpRequest& request) const {
 
 HttpReply Endpoints::changed_rig_file(const HttpRequest& request) const {
     return toml_reply(rig_text(scene_.rig_of(request_of(request))));
+}
+
+HttpReply Endpoints::pick(const HttpRequest& request) const {
+    const ViewRequest wanted = request_of(request);
+    if (!wanted.pixel) throw Error("request", "pixel", "is missing");
+    const Scene& scene = scene_.scene();
+    return text_reply(pick_json(pick_place(scene, seen_without(scene, wanted.hidden),
+                                           scene_.view_of(wanted).camera, *wanted.pixel)));
 }
 
 HttpReply Endpoints::lines(const HttpRequest& request, const Job& job) const {
@@ -218,24 +228,27 @@ HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client,
 }
 
 std::string Endpoints::still_png(const ViewRequest& request, const LightRig& rig,
-                                 const Job& job) const {
+                                 const Scene* earlier, const Job& job) const {
     const StopScope scope(job);
-    return encode_png(tone_mapped(scene_.still(request, rig, job)));
+    const Film film = earlier ? render_view(*earlier, rig, scene_.view_of(request).camera, {}, job)
+                              : scene_.still(request, rig, job);
+    return encode_png(tone_mapped(film, {.ev = request.ev}));
 }
 
-HttpReply Endpoints::still(const HttpRequest& request, const std::string& client) const {
+HttpReply Endpoints::still(const HttpRequest& request, const std::string& client,
+                           const Scene* earlier) const {
     const ViewRequest wanted = request_of(request);
     require_faces(scene_.scene().model, wanted.hidden);
-    return streamed(
-        "image/png", client, "still",
-        [this, wanted, rig = scene_.rig_of(wanted)](Outlet& outlet, LatestWork::Turn& turn) {
-            std::string png;
-            {
-                const ClientWatch watch(outlet, turn);
-                png = still_png(wanted, rig, turn.job(threads_));
-            }
-            return outlet.write(png);
-        });
+    return streamed("image/png", client, earlier ? "still before" : "still",
+                    [this, wanted, earlier, rig = scene_.rig_of(wanted)](Outlet& outlet,
+                                                                         LatestWork::Turn& turn) {
+                        std::string png;
+                        {
+                            const ClientWatch watch(outlet, turn);
+                            png = still_png(wanted, rig, earlier, turn.job(threads_));
+                        }
+                        return outlet.write(png);
+                    });
 }
 
 HttpReply Endpoints::events(const std::string& client) const {

@@ -34,7 +34,9 @@ private:
     /// scene.
     HttpReply deep(const HttpRequest& request, const std::string& client,
                    const Scene* earlier = nullptr) const;
-    HttpReply still(const HttpRequest& request, const std::string& client) const;
+    HttpReply still(const HttpRequest& request, const std::string& client,
+                    const Scene* earlier = nullptr) const;
+    HttpReply pick(const HttpRequest& request) const;
     /// Answers about the revision before, which is there.
     HttpReply against(const HttpRequest& request, const std::string& client) const;
     HttpReply events(const std::string& client) const;
@@ -48,7 +50,8 @@ private:
     bool send_deep(const ViewRequest& request, const Scene* earlier, Outlet& outlet,
                    LatestWork::Turn& turn) const;
 
-    std::string still_png(const ViewRequest& request, const LightRig& rig, const Job& job) const;
+    std::string still_png(const ViewRequest& request, const LightRig& rig, const Scene* earlier,
+                          const Job& job) const;
 
     ViewedScene& scene_;
     LatestWork& work_;

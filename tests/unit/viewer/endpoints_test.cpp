@@ -100,6 +100,7 @@ TEST_F(EndpointsTest, ShowsAnEarlierRevisionOnlyWhereThereIsOne) {
     EXPECT_TRUE(has(ask("GET", "/scene"), "\"against\": false"));
     EXPECT_EQ(ask("GET", "/against/scene").status, 404);
     EXPECT_EQ(ask("POST", "/against/deep").status, 404);
+    EXPECT_EQ(ask("POST", "/against/still").status, 404);
     const std::filesystem::path inputs[] = {keiko::test::repository("surfaces/saddle.bpt")};
     scene_->set_against(open_scene(inputs));
     EXPECT_TRUE(has(ask("GET", "/scene"), "\"against\": true"));
@@ -109,6 +110,31 @@ TEST_F(EndpointsTest, ShowsAnEarlierRevisionOnlyWhereThereIsOne) {
     ASSERT_TRUE(ask("POST", "/against/deep", "interlaced = false").stream(before));
     EXPECT_EQ(before.text.substr(0, 7), "KEIKOD1");
     EXPECT_NE(now.text, before.text);
+    Reader still, still_before;
+    ASSERT_TRUE(ask("POST", "/still").stream(still));
+    ASSERT_TRUE(ask("POST", "/against/still").stream(still_before));
+    EXPECT_EQ(still_before.text.substr(1, 3), "PNG");
+    EXPECT_NE(still.text, still_before.text);
+}
+
+TEST_F(EndpointsTest, AStillMayHaveAnExposure) {
+    const auto still = [&](const std::string& exposure) {
+        Reader reader;
+        EXPECT_TRUE(ask("POST", "/still", exposure).stream(reader));
+        return reader.text;
+    };
+    EXPECT_NE(still("ev = 3"), still("ev = 9"));
+    EXPECT_EQ(ask("POST", "/still", "ev = 101").status, 400);
+}
+
+TEST_F(EndpointsTest, ProvesAPickedPlace) {
+    const HttpReply body = ask("POST", "/pick", "pixel = [24.5, 13.5]");
+    EXPECT_EQ(body.status, 200);
+    EXPECT_TRUE(has(body, "\"bound\": ")) << body.body;
+    EXPECT_TRUE(has(ask("POST", "/pick", "pixel = [0.5, 0.5]"), "\"picked\": null"));
+    EXPECT_TRUE(has(ask("POST", "/pick"), "pixel: is missing"));
+    EXPECT_EQ(ask("POST", "/pick", "pixel = [-1, 2]").status, 400);
+    EXPECT_EQ(ask("POST", "/pick", "pixel = [1, 2]\nhidden = [4000000000]").status, 400);
 }
 
 TEST_F(EndpointsTest, HidesFacesInPicturesOnRequest) {

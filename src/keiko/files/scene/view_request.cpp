@@ -22,6 +22,12 @@ std::vector<std::uint32_t> hidden_from(const TomlTable& root) {
     return hidden;
 }
 
+std::optional<Vec2> pixel_from(const TomlTable& root) {
+    constexpr double largest = 65536; // as for sizes of pictures
+    const auto pixel = root.numbers("pixel", 2, {.low = 0, .high = largest});
+    return pixel ? std::optional(Vec2((*pixel)[0], (*pixel)[1])) : std::nullopt;
+}
+
 AnalysisView view_from(const TomlTable& table) {
     const auto camera = table.required("camera", table.table("camera"));
     AnalysisView view{table.required("name", table.text("name")), camera_from(camera)};
@@ -38,6 +44,7 @@ AnalysisNote note_from(const TomlTable& table) {
 
 ViewRequest parse_view_request(std::string_view text) {
     constexpr int most_reflections = 8;
+    constexpr double most_ev = 100; // either way: 2^100 has no meaning as light
     ViewRequest request;
     const TomlTable root = TomlTable::parse_alone(text, "request");
     if (root.has("format")) root.require_format("keiko-view-request/1");
@@ -50,6 +57,8 @@ ViewRequest parse_view_request(std::string_view text) {
     request.reflections =
         root.integer("reflections", 1, most_reflections).value_or(request.reflections);
     request.hidden = hidden_from(root);
+    request.pixel = pixel_from(root);
+    request.ev = root.number("ev", {.low = -most_ev, .high = most_ev});
     for (const TomlTable& view : root.tables("view")) request.views.push_back(view_from(view));
     request.sections = root.texts("sections").value_or(std::vector<std::string>());
     for (const TomlTable& note : root.tables("note")) request.notes.push_back(note_from(note));

@@ -20,6 +20,8 @@ struct ViewRequest {
     bool interlaced = true;                      ///< rows from coarse to fine, see interlaced_rows
     int reflections = 3;                         ///< of a deep buffer, 1 to 8
     std::vector<std::uint32_t> hidden{};         ///< faces that are not shown, as Face::id
+    std::optional<Vec2> pixel{};                 ///< of the camera's picture, that is picked
+    std::optional<double> ev{};                  ///< exposure of a still; none: by the picture
     std::vector<AnalysisView> views{};           ///< of an analysis that is to be kept
     std::vector<std::string> sections{};         ///< of it, planes such as "y=120"
     std::vector<AnalysisNote> notes{};           ///< of it

@@ -879,6 +879,14 @@ var RowCoverage = class {
     this.projected = this.metCount = this.du = this.dv = 0;
     this.covered.fill(0);
   }
+  /** Makes all images anew from where the row is: rounding no longer tells that it was dragged. False if it was not. */
+  renew() {
+    if (this.du === 0 && this.dv === 0) return false;
+    this.base = this.row, this.projected = this.metCount = this.du = this.dv = 0;
+    this.until.fill(0);
+    this.isCurrent = false;
+    return true;
+  }
   /** Takes the row as it is now. One that moved in its plane, or has other lamps, needs no new images. */
   set(row2) {
     if (!row2.hasPlaneOf(this.base) || row2.isRound !== this.base.isRound) this.base = row2, this.projected = this.metCount = 0;
@@ -1037,6 +1045,13 @@ var LampLight = class {
       bends: new Float32Array(0),
       level: 0
     };
+  }
+  /** Makes the images of rows that were dragged anew: the light is that of a new buffer, bit for bit. */
+  renew() {
+    for (const { first, later, bends } of this.rows) {
+      const isFirst = first.renew(), isLater = later.renew();
+      if (isFirst || isLater) bends.fill(-1), this.refined = 0, this.hasEnds = false;
+    }
   }
   /** Brings the light of all paths up to date, without dividing pixels; `changed` has those whose light is another. */
   update() {
@@ -1277,7 +1292,7 @@ var mixed = (a, b, share2) => {
   return [a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t, a[2] + (b[2] - a[2]) * t];
 };
 var signedStops = [[0.02, 0.12, 0.55], [0.25, 0.55, 0.9], [0.87, 0.87, 0.87], [0.95, 0.5, 0.25], [0.6, 0.02, 0.05]];
-function curvatureOf(kind, surface) {
+function curvatureOf({ kind, across }, surface) {
   const [larger, smaller] = surface.principal;
   switch (kind) {
     case "mean":
@@ -1290,14 +1305,16 @@ function curvatureOf(kind, surface) {
       return smaller;
     case "absolute":
       return Math.abs(larger) + Math.abs(smaller);
+    case "section":
+      return surface.along(unit(across));
   }
 }
-function curvatureColor(buffer, { kind, fullCurvature }) {
+function curvatureColor(buffer, { kind, across, fullCurvature }) {
   const colorAt = kind === "absolute" ? rainbow : signedColor;
   return (path) => {
     const surface = buffer.surfaceOf(path);
     if (surface.face < 0 && kind === "absolute") return ground;
-    const share2 = curvatureOf(kind, surface) / fullCurvature;
+    const share2 = curvatureOf({ kind, across }, surface) / fullCurvature;
     return Number.isNaN(share2) ? unknown : colorAt(share2);
   };
 }
@@ -1377,6 +1394,13 @@ var Surface = class {
   get principal() {
     const spread = Math.hypot(0.5 * (this.xx - this.yy), this.xy);
     return [this.mean + spread, this.mean - spread];
+  }
+  /** Curvature, 1/mm, of the normal section along a plane with a unit normal; NaN where the plane touches the surface. */
+  along(plane) {
+    const { normal: n, x, y } = this, touching = 1e-6;
+    const a = plane[1] * n[2] - plane[2] * n[1], b = plane[2] * n[0] - plane[0] * n[2], c = plane[0] * n[1] - plane[1] * n[0];
+    const p = a * x[0] + b * x[1] + c * x[2], q = a * y[0] + b * y[1] + c * y[2], squared = p * p + q * q;
+    return squared > touching * touching ? (this.xx * p * p + 2 * this.xy * p * q + this.yy * q * q) / squared : NaN;
   }
   /** Writes the change of the normal along a step, which is three numbers of a ray from a place on. */
   turn(ray, at, change2) {
@@ -1608,6 +1632,10 @@ var Picture = class {
     this.context.putImageData(this.image, 0, 0);
     return true;
   }
+  /** Forgets how rows of lamps were dragged: the next drawing is that of a new picture. */
+  renew() {
+    this.lamps.renew();
+  }
   /** Divides pixels whose image of the lamps is bent, for some milliseconds; false if there are more. */
   refine(display, milliseconds) {
     if (!this.buffer || display.look !== "lamps" || this.buffer.rowStep > 1) return true;
@@ -1625,12 +1653,13 @@ var Picture = class {
       values[path] = 0.2126 * light[3 * path] + 0.7152 * light[3 * path + 1] + 0.0722 * light[3 * path + 2];
     return quantile(values, 0.99) || 1;
   }
-  /** The round curvature of a kind that 2 % of the body's picture exceed. */
-  usualCurvature(kind) {
+  /** The round curvature of a look that 2 % of the body's picture exceed. */
+  usualCurvature(look) {
     const { buffer } = this, sizes = [];
     for (let path = 0; buffer && path < buffer.paths; ++path) {
       const surface = buffer.surfaceOf(path);
-      if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(curvatureOf(kind, surface)));
+      const curvature = surface.face > 0 ? curvatureOf(look, surface) : NaN;
+      if (!Number.isNaN(curvature)) sizes.push(Math.abs(curvature));
     }
     const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
     return Number((power * ([1, 2, 5].find((step3) => value <= step3 * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
@@ -1668,10 +1697,11 @@ var Picture = class {
     const { buffer } = this, path = this.pathAt(x, y);
     if (!buffer || path < 0) return null;
     const { t, normal, face, principal: [k1, k2] } = buffer.surfaceOf(path);
-    const { origin, direction: direction2 } = rayOf(buffer.camera, x + 0.5, y + 0.5);
+    const pixel = [x + 0.5, y + 0.5], { origin, direction: direction2 } = rayOf(buffer.camera, ...pixel);
     return {
+      camera: buffer.camera,
+      pixel,
       place: sum(origin, scaled(direction2, t)),
-      rounding: t * 2 ** -24,
       normal: [...normal],
       radii: [1 / k1, 1 / k2],
       face
@@ -1686,7 +1716,7 @@ var Picture = class {
   drawLamps({ planes, white }, buffer) {
     this.lamps.set(buffer, planes);
     this.lamps.update();
-    const shown2 = `lamps ${white}`;
+    const shown2 = `lamps ${white} ${buffer.rowStep}`;
     if (this.shown === shown2 && this.shownBuffer === buffer) return this.writeChanged(white);
     this.shown = shown2, this.shownBuffer = buffer;
     const { words: words2 } = this, [r, g, b] = this.facts.background.map((light) => byteOf(light / white));
@@ -1720,17 +1750,24 @@ function quantile(values, share2) {
 }
 
 // source/look_words.ts
-var curvatureKinds = ["mean", "gauss", "k1", "k2", "absolute"];
+var curvatureKinds = ["mean", "gauss", "k1", "k2", "absolute", "section"];
+var usual = { kind: "mean", across: [0, 1, 0] };
+var firstLook = { look: "lamps", ...usual };
 var words = { isophotes: "isophote", "highlight lines": "highlight" };
 function wordOf({ look, kind }, fullCurvature) {
   if (look !== "curvature") return words[look] ?? look;
   return `curvature:${kind}${fullCurvature ? `=${fullCurvature}` : ""}`;
 }
+var directionWord = (across) => across.map((x) => Number(x.toPrecision(9))).join(",");
+function directionOf(word2) {
+  const parts = word2.split(",").map((part) => part.trim() ? Number(part) : NaN);
+  return parts.length === 3 && parts.every(Number.isFinite) && parts.some((part) => part !== 0) ? parts : null;
+}
 function lookOf(word2) {
   const kind = curvatureKinds.find((name) => word2.split("=")[0] === `curvature:${name}`);
-  if (kind) return { look: "curvature", kind };
+  if (kind) return { ...usual, look: "curvature", kind };
   const look = looks.find((name) => name !== "curvature" && (words[name] ?? name) === word2);
-  return look ? { look, kind: "mean" } : null;
+  return look ? { ...usual, look } : null;
 }
 
 // source/analysis.ts
@@ -1936,451 +1973,14 @@ var AnalysisPanel = class {
   }
 };
 
-// source/row_moves.ts
-function rowAxes(plane) {
-  const along = unit(plane.u), normal = unit(cross(plane.u, plane.v));
-  return { along, across: cross(normal, along), normal };
-}
-var moved = (plane, step3) => ({ ...plane, origin: sum(plane.origin, step3) });
-function turnedRow(plane, axis, angle) {
-  const middle2 = sum(plane.origin, scaled(sum(plane.u, plane.v), 0.5)), turn = (a) => turned(a, axis, angle);
-  return { ...plane, origin: sum(middle2, turn(difference(plane.origin, middle2))), u: turn(plane.u), v: turn(plane.v) };
-}
-function mmOfPixel(camera) {
-  return pixelSize(camera) * (camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye)));
-}
-function movedWithin(plane, step3) {
-  const { along, across } = rowAxes(plane);
-  return moved(plane, sum(scaled(along, dot(step3, along)), scaled(across, dot(step3, across))));
-}
-function dragged(plane, camera, x, y) {
-  const { right: right2, up } = axesOf(camera);
-  return movedWithin(plane, scaled(sum(scaled(right2, x), scaled(up, -y)), mmOfPixel(camera)));
-}
-function afterMove(plane, move, amount) {
-  const axes2 = rowAxes(plane), angle = amount * Math.PI / 180;
-  if (move === "turn") return turnedRow(plane, axes2.normal, angle);
-  if (move === "tilt") return turnedRow(plane, axes2.along, angle);
-  return moved(plane, scaled(axes2[move], amount));
-}
-function withRoom(plane) {
-  const needed = (plane.lamps - 1) * plane.pitch + plane.diameter, more = needed - length(plane.v);
-  if (more <= 0) return plane;
-  const across = unit(plane.v);
-  return { ...plane, origin: sum(plane.origin, scaled(across, -more / 2)), v: scaled(across, needed) };
-}
-
-// source/gizmo.ts
-var size = 130;
-var reach = 44;
-var handles = [
-  { move: "along", color: "#e05050", title: "move the row along its lamps" },
-  { move: "across", color: "#50c050", title: "move the row across its lamps" },
-  { move: "normal", color: "#5090ff", title: "move the row along its normal" }
-];
-function shape(tag, attributes, title = "") {
-  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
-  if (title) made.append(Object.assign(document.createElementNS("http://www.w3.org/2000/svg", "title"), { textContent: title }));
-  return made;
-}
-var Gizmo = class {
-  /** `act` gets moves in mm or degrees, and true at the end of a drag. */
-  constructor(parent, act2) {
-    this.act = act2;
-    this.grabbed = null;
-    this.root = shape("svg", { id: "gizmo", width: size, height: size, viewBox: `${-size / 2} ${-size / 2} ${size} ${size}` });
-    parent.append(this.root);
-  }
-  /** Draws the axes of a row as a camera sees them; nothing without a row. */
-  show(plane, camera) {
-    if (this.grabbed) return;
-    this.root.replaceChildren();
-    if (!plane) return;
-    const { right: right2, up } = axesOf(camera), axes2 = rowAxes(plane), pixel = 1 / mmOfPixel(camera);
-    const least = 0.26;
-    const project2 = (axis) => {
-      const x = dot(axis, right2), y = -dot(axis, up), length2 = Math.hypot(x, y);
-      return length2 > least ? [x, y] : length2 > 0 ? [x * least / length2, y * least / length2] : [0, -least];
-    };
-    this.handle(shape("circle", { r: reach + 14, fill: "none", stroke: "#c0a030", "stroke-width": 5 }, "turn the row about its normal"), "turn", [-1.5, 0]);
-    for (const { move, color, title } of handles) {
-      const [x, y] = project2(axes2[move]);
-      this.handle(shape("line", { x2: reach * x, y2: reach * y, stroke: color, "stroke-width": 6, "stroke-linecap": "round" }, title), move, [x * pixel, y * pixel]);
-      this.handle(shape("circle", { cx: reach * x, cy: reach * y, r: 7, fill: color }, title), move, [x * pixel, y * pixel]);
-    }
-    this.handle(shape("circle", { r: 8, fill: "#ddd" }, "tilt the row about its lamps"), "tilt", [0, 4]);
-  }
-  /** Lets a shape be dragged; `way`: pixels that a mm or a degree takes in the picture. */
-  handle(element2, move, way) {
-    element2.setAttribute("data-move", move);
-    element2.onpointerdown = (event) => {
-      element2.setPointerCapture(event.pointerId);
-      this.grabbed = { move, way, x: event.clientX, y: event.clientY };
-    };
-    element2.onpointermove = (event) => {
-      const { grabbed } = this;
-      if (!grabbed) return;
-      this.act(move, this.amount(event.clientX - grabbed.x, event.clientY - grabbed.y, grabbed.way), false);
-      grabbed.x = event.clientX, grabbed.y = event.clientY;
-    };
-    element2.onpointerup = () => {
-      this.grabbed = null;
-      this.act(move, 0, true);
-    };
-    this.root.append(element2);
-  }
-  /** mm or degrees of a drag by pixels. */
-  amount(x, y, [byX, byY]) {
-    return (x * byX + y * byY) / (byX * byX + byY * byY);
-  }
-};
-
-// source/help.ts
-function showDialog(title, lines2) {
-  const rows = lines2.map(([name, words2]) => element("tr", [element("th", name), element("td", words2)]));
-  const close = element("button", "close", { type: "button", onclick: () => dialog.close() });
-  const dialog = element("dialog", [element("h2", title), element("table", rows), close]);
-  dialog.onclose = () => dialog.remove();
-  document.body.append(dialog);
-  dialog.showModal();
-}
-
-// source/mouse.ts
-var mouseStyles = ["Keiko", "Alias", "CATIA", "SolidWorks", "Blender"];
-var left = 1;
-var right = 2;
-var middle = 4;
-function mouseAction(style, event) {
-  const { buttons, shiftKey, ctrlKey, metaKey, altKey } = event, hasControl = ctrlKey || metaKey;
-  if (buttons === left && hasControl) return "lamps";
-  switch (style) {
-    case "Keiko":
-      return buttons & (right | middle) || shiftKey ? "pan" : "orbit";
-    case "Alias":
-      return !altKey || !shiftKey ? "none" : buttons & left ? "orbit" : buttons & middle ? "pan" : "zoom";
-    case "CATIA":
-      if (!(buttons & middle)) return "none";
-      return buttons & (left | right) || hasControl ? "orbit" : shiftKey ? "zoom" : "pan";
-    case "SolidWorks":
-    case "Blender": {
-      if (!(buttons & middle)) return "none";
-      const pans = style === "Blender" ? shiftKey : hasControl, zooms = style === "Blender" ? hasControl : shiftKey;
-      return pans ? "pan" : zooms ? "zoom" : "orbit";
-    }
-  }
-}
-var mouseHelp = {
-  Keiko: "drag turns, Shift or right button pans",
-  Alias: "Shift + Alt: left turns, middle pans, right zooms",
-  CATIA: "middle pans, middle with left, right or Ctrl turns, with Shift zooms",
-  SolidWorks: "middle turns, with Ctrl pans, with Shift zooms",
-  Blender: "middle turns, with Shift pans, with Ctrl zooms"
-};
-
-// source/pointer.ts
-var rest = 300;
-var threshold = 3;
-function act(host, action, x, y) {
-  const camera = host.camera();
-  if (action === "lamps") host.lamps.drag(x, y);
-  if (action === "pan") host.setCamera(panned(camera, x, y));
-  if (action === "zoom") host.setCamera(dollied(camera, Math.exp(y / 200)));
-  if (action === "orbit") host.setCamera(orbited(camera, camera.target, -x / 200, -y / 200));
-}
-var Pointer = class {
-  constructor(canvas, host) {
-    this.canvas = canvas;
-    this.host = host;
-    this.drag = null;
-    this.timer = 0;
-    canvas.onpointerdown = (event) => this.press(event);
-    canvas.onpointermove = (event) => this.move(event);
-    canvas.onpointerup = (event) => this.release(event);
-    canvas.oncontextmenu = (event) => event.preventDefault();
-    canvas.onwheel = (event) => this.wheel(event);
-  }
-  /** The pixel of the picture under the mouse. */
-  pixel(event) {
-    const { width, height } = this.canvas, box = this.canvas.getBoundingClientRect();
-    return [Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height)];
-  }
-  press(event) {
-    const { canvas, host } = this, action = mouseAction(host.style(), event);
-    canvas.setPointerCapture(event.pointerId);
-    if (action === "lamps") host.lamps.grab(...this.pixel(event));
-    this.drag = { x: event.clientX, y: event.clientY, pixel: this.pixel(event), action, moved: false };
-  }
-  move(event) {
-    const { drag, host } = this;
-    if (!drag) return;
-    const x = event.clientX - drag.x, y = event.clientY - drag.y;
-    if (!drag.moved && Math.hypot(x, y) < threshold) return;
-    if (drag.action !== "lamps") drag.action = mouseAction(host.style(), event);
-    if (drag.action === "none") return;
-    const scale = host.camera().height / this.canvas.clientHeight, pixel = this.pixel(event);
-    if (drag.action === "lamps") host.lamps.follow(drag.pixel, pixel);
-    else act(host, drag.action, x * scale, y * scale);
-    Object.assign(drag, { x: event.clientX, y: event.clientY, pixel, moved: true });
-    host.changed(drag.action !== "lamps", false);
-  }
-  release(event) {
-    const { drag } = this;
-    this.drag = null;
-    if (drag?.moved) return this.host.changed(drag.action !== "lamps", true);
-    if (event.button === 0) this.host.pick(...this.pixel(event));
-  }
-  wheel(event) {
-    const { host } = this;
-    event.preventDefault();
-    clearTimeout(this.timer);
-    host.setCamera(dollied(host.camera(), Math.exp(event.deltaY / 1e3)));
-    host.changed(true, false);
-    this.timer = window.setTimeout(() => host.changed(true, true), rest);
-  }
-};
-
-// source/keys.ts
-var lookKeys = {
-  l: "lamps",
-  z: "zebra",
-  i: "isophotes",
-  h: "highlight lines",
-  c: "curvature",
-  d: "draft",
-  f: "faces"
-};
-var arrowStep = 10;
-var arrows = {
-  ArrowLeft: [-arrowStep, 0],
-  ArrowRight: [arrowStep, 0],
-  ArrowUp: [0, -arrowStep],
-  ArrowDown: [0, arrowStep]
-};
-function keysOf(host) {
-  const step3 = 50, angle = 2;
-  return [
-    ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => host.chooseLook(look) })),
-    ...host.views().map(({ name, show }, i) => ({ key: String(i), words: `view: ${name}`, act: show })),
-    { key: "n", words: "the next row of lamps", act: () => host.lamps.next() },
-    { key: "+", words: "row 50 mm along its normal", act: () => host.lamps.move("normal", step3) },
-    { key: "-", words: "row 50 mm back", act: () => host.lamps.move("normal", -step3) },
-    { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
-    { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
-    { key: "s", words: "seams over the picture, by verdict", act: () => host.toggleSeams() },
-    { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
-    { key: "?", words: "this list", act: () => showKeys(host) }
-  ];
-}
-function showKeys(host) {
-  showDialog("Keys and mouse", [
-    ["mouse", `${mouseHelp[host.style()]}; wheel zooms`],
-    ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
-    ["click", "place, normal and radii; on a seam its verdict"],
-    ["arrows", "turn; with Shift pan; with Ctrl move the row"],
-    ...keysOf(host).map(({ key, words: words2 }) => [key, words2])
-  ]);
-}
-function listenToKeys(canvas, host) {
-  const keys = new Map(keysOf(host).map((key) => [key.key, key.act]));
-  canvas.onkeydown = (event) => {
-    const way = arrows[event.key], does = keys.get(event.key);
-    if (!way && !does || event.altKey) return;
-    if (does && (event.ctrlKey || event.metaKey)) return;
-    event.preventDefault();
-    if (does) return does();
-    act(host, event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
-    host.changed(!event.ctrlKey, true);
-  };
-}
-
-// source/lamp_rows.ts
-var LampRows = class {
-  constructor(planes, host) {
-    this.planes = planes;
-    this.host = host;
-    this.chosen = 0;
-  }
-  get all() {
-    return this.planes;
-  }
-  get row() {
-    return this.planes[this.chosen];
-  }
-  /** Takes other rows, without showing them. */
-  take(planes) {
-    this.planes = planes;
-  }
-  /** Shows other rows. */
-  set(planes) {
-    this.take(planes);
-    this.choose(0);
-    this.host.changed(false, true);
-  }
-  choose(row2) {
-    this.chosen = row2;
-    this.host.rowChosen();
-  }
-  next() {
-    this.choose((this.chosen + 1) % Math.max(this.planes.length, 1));
-  }
-  /** Chooses the row that a pixel of the picture mirrors. */
-  grab(x, y) {
-    const row2 = this.host.rowAt(x, y);
-    if (row2 >= 0 && row2 !== this.chosen) this.choose(row2);
-  }
-  /**
-   * Moves the chosen row in its plane so that its image follows the mouse from one pixel of the picture to another; the
-   * caller shows it. Where the reflection jumps, or is none, the row moves as far as the mouse at the target.
-   */
-  follow(from, to) {
-    const { row: row2 } = this;
-    if (!row2) return;
-    const begin = this.host.mirroredOn(...from, row2), end = this.host.mirroredOn(...to, row2), step3 = begin && end && difference(end, begin);
-    const farthest = 0.25 * Math.max(length(row2.u), length(row2.v));
-    if (step3 && length(step3) <= farthest) this.edit(this.chosen, (plane) => movedWithin(plane, step3));
-    else this.drag(to[0] - from[0], to[1] - from[1]);
-  }
-  /** Moves the chosen row in its plane, by pixels of the picture at the target; the caller shows it. */
-  drag(x, y) {
-    this.edit(this.chosen, (plane) => dragged(plane, this.host.camera(), x, y));
-  }
-  /** Moves the chosen row by mm, or degrees. */
-  move(move, amount, isOver = true) {
-    this.edit(this.chosen, (plane) => afterMove(plane, move, amount));
-    this.host.changed(false, isOver);
-  }
-  /** Shows another row in place of one. */
-  change(row2, plane) {
-    this.edit(row2, () => plane);
-    this.host.changed(false, true);
-  }
-  edit(row2, change2) {
-    this.planes = this.planes.map((plane, i) => i === row2 ? change2(plane) : plane);
-  }
-};
-
-// source/lamps_panel.ts
-function showLamps(host) {
-  const { lamps } = host;
-  showRows(lamps.all, lamps.chosen, (row2) => lamps.choose(row2), (row2, plane) => lamps.change(row2, withRoom(plane)));
-}
-function lampButtons(host) {
-  const run = async (work) => {
-    try {
-      await work();
-      host.tell("");
-    } catch (error) {
-      host.fail(error);
-    }
-  };
-  const request = () => requestText(host.camera(), host.lamps.all);
-  const place = async () => host.lamps.set((await (await ask("POST", "/place", request())).json()).rig.planes);
-  const save = async () => download("rig.toml", await (await ask("POST", "/rig", request())).blob());
-  const open = async () => host.lamps.set((await newRig(await pickedText(".toml"))).planes);
-  byId("lamp-buttons").replaceChildren(
-    button("place for this view", () => void run(place)),
-    button("save", () => void run(save)),
-    button("open", () => void run(open))
-  );
-}
-
-// source/link.ts
-var text = (v) => v.map((x) => String(Number(x.toPrecision(9)))).join(",");
-function numbersOf(given) {
-  const numbers2 = given ? given.split(",").map(Number) : [];
-  return numbers2.every(Number.isFinite) ? numbers2 : null;
-}
-function vectorOf(given) {
-  const numbers2 = numbersOf(given);
-  return numbers2?.length === 3 ? numbers2 : null;
-}
-var eyeTexts = (eye) => ({
-  eye: text(eye.eye),
-  target: text(eye.target),
-  up: text(eye.up),
-  lens: eye.projection === "orthographic" ? `height,${eye.orthographic_height}` : `fov,${eye.vertical_fov}`
-});
-function eyeOf(given) {
-  const [eye, target, up] = ["eye", "target", "up"].map((name) => vectorOf(given.get(name)));
-  const [lens, size2] = (given.get("lens") ?? "").split(","), wide2 = Number(size2), isParallel = lens === "height";
-  if (!eye || !target || !up || !["height", "fov"].includes(lens) || !(wide2 > 0 && (isParallel || wide2 < 180))) return null;
-  return {
-    projection: isParallel ? "orthographic" : "perspective",
-    eye,
-    target,
-    up,
-    vertical_fov: isParallel ? 28 : wide2,
-    orthographic_height: isParallel ? wide2 : 0
-  };
-}
-var rowText = (p) => `${text([...p.origin, ...p.u, ...p.v, p.lamps, p.pitch, p.diameter, ...p.luminance])},${p.caps},${p.mirror}`;
-function rowOf(given) {
-  const parts = given.split(","), n = parts.slice(0, 15).map(Number), [caps, mirror] = parts.slice(15);
-  const isRow = parts.length === 17 && n.every(Number.isFinite) && n[9] >= 0 && n[10] > 0 && n[11] > 0 && ["dark", "luminous"].includes(caps) && ["tube", "flat", "exact"].includes(mirror);
-  if (!isRow) return null;
-  const vector2 = (at) => [n[at], n[at + 1], n[at + 2]];
-  return {
-    origin: vector2(0),
-    u: vector2(3),
-    v: vector2(6),
-    lamps: Math.round(n[9]),
-    pitch: n[10],
-    diameter: n[11],
-    luminance: vector2(12),
-    caps,
-    mirror
-  };
-}
-var noteText = ({ place, face, text: words2 }) => `${text([...place, face])},${words2}`;
-function noteOf(given) {
-  const parts = given.split(","), n = parts.slice(0, 4).map(Number), words2 = parts.slice(4).join(",");
-  return n.every(Number.isFinite) && words2 ? { place: [n[0], n[1], n[2]], face: n[3], text: words2 } : null;
-}
-function keepInAddress(state) {
-  history.replaceState(null, "", `#${fragmentOf(state)}`);
-}
-function fragmentOf({ camera, look, planes, hidden, section, seams, notes }) {
-  const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
-  for (const plane of planes ?? []) fragment.append("row", rowText(plane));
-  if (planes?.length === 0) fragment.append("rows", "none");
-  if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
-  if (section) fragment.append("section", section);
-  if (seams) fragment.set("seams", "shown");
-  for (const note of notes) fragment.append("note", noteText(note));
-  return fragment;
-}
-function stateOfAddress() {
-  const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
-  const camera = eyeOf(given), look = lookOf(given.get("look") ?? ""), hidden = numbersOf(given.get("hidden"));
-  const notes = given.getAll("note").map(noteOf);
-  if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
-  const isOwn = rows.length > 0 || given.get("rows") === "none";
-  return {
-    camera,
-    look,
-    planes: isOwn ? rows : null,
-    hidden,
-    section: given.get("section") ?? "",
-    seams: given.get("seams") === "shown",
-    notes
-  };
-}
-function linkOf(state) {
-  const fragment = fragmentOf(state);
-  fragment.set("token", token);
-  return `${location.origin}${location.pathname}#${fragment}`;
-}
-
 // source/exact_picture.ts
-var rest2 = 300;
-async function bytesOf({ camera, planes, hidden }, signal) {
-  return (await ask("POST", "/still", requestText(camera, planes, hiddenText(hidden)), signal)).blob();
-}
+var exposureOf = (white) => Math.log2(white / 1.2);
+var rest = 300;
 var ExactPicture = class {
-  /** `tell` gets a line for the user, `fail` an error. */
-  constructor(canvas, tell, fail) {
+  /** `path`: of the request; `tell` gets a line for the user, `fail` an error. */
+  constructor(canvas, path, tell, fail) {
     this.canvas = canvas;
+    this.path = path;
     this.tell = tell;
     this.fail = fail;
     this.running = new AbortController();
@@ -2396,7 +1996,7 @@ var ExactPicture = class {
   /** Requests the picture after a while, unless something changes until then. */
   follow(pictured) {
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.fetch(pictured), rest2);
+    this.timer = window.setTimeout(() => void this.fetch(pictured), rest);
   }
   /** The bytes of the picture, PNG, for a file. They come even if the view goes on; the server has one such picture
    * at work for a page, so the one for the view ends, and this one serves it too. */
@@ -2404,17 +2004,21 @@ var ExactPicture = class {
     clearTimeout(this.timer);
     this.running.abort();
     const own = this.running = new AbortController();
-    const bytes2 = await bytesOf(pictured);
+    const bytes2 = await this.bytesOf(pictured);
     if (!own.signal.aborted) await this.show(bytes2, own.signal);
     return bytes2;
   }
   async fetch(pictured) {
     const own = this.running = new AbortController();
     try {
-      await this.show(await bytesOf(pictured, own.signal), own.signal);
+      await this.show(await this.bytesOf(pictured, own.signal), own.signal);
     } catch (error) {
       if (!own.signal.aborted) this.fail(error);
     }
+  }
+  async bytesOf({ camera, planes, hidden, ev }, signal) {
+    const more = [hiddenText(hidden), ev === null ? "" : `ev = ${ev}`].join("\n");
+    return (await ask("POST", this.path, requestText(camera, planes, more), signal)).blob();
   }
   async show(bytes2, signal) {
     const image = await createImageBitmap(bytes2), { canvas } = this;
@@ -2686,9 +2290,547 @@ ${hiddenText(this.traced.hidden?.() ?? [])}`;
   }
 };
 
-// source/live_picture.ts
+// source/compare.ts
+var ways = ["new", "both", "difference"];
 var slice = 12;
+var Earlier = class {
+  constructor(host, over) {
+    this.host = host;
+    this.over = over;
+    this.canvas = element("canvas", "", { id: "earlier", hidden: true });
+    this.picture = null;
+    this.traced = null;
+    this.drawn = "";
+    this.tracing = null;
+    this.way = "new";
+    const still = element("canvas", "", { id: "earlier-still", hidden: true });
+    this.exact = new ExactPicture(still, "/against/still", (line) => host.tell(line), (error) => host.fail(error));
+    byId("still").after(this.canvas, still);
+  }
+  async show(way) {
+    const wasShown = this.way !== "new";
+    this.way = way;
+    this.canvas.hidden = way === "new";
+    for (const shown2 of this.canvases) shown2.style.mixBlendMode = way === "difference" ? "difference" : "normal";
+    this.over.parentElement.classList.toggle("comparing", way !== "new");
+    if (way === "new") this.exact.outdate();
+    if (wasShown || way === "new") return;
+    const facts2 = await (await ask("GET", "/against/scene")).json();
+    const picture = this.picture ??= new Picture(this.canvas, facts2);
+    this.tracing ??= new Tracing(facts2.reflections, (camera, spent) => picture.bufferFor(camera, spent), (buffer) => {
+      picture.show(buffer);
+      this.draw(this.host.display());
+    }, { path: "/against/deep" });
+    this.traced = null;
+    this.follow();
+  }
+  /** Share of the picture, from the left, that shows the new revision. */
+  split(share2) {
+    for (const { style } of this.canvases) style.clipPath = `inset(0 0 0 ${(100 * share2).toFixed(2)}%)`;
+  }
+  get canvases() {
+    return [this.canvas, this.exact.canvas];
+  }
+  /** Follows eye, look and lamps as long as it is shown. */
+  follow() {
+    if (this.way === "new") return;
+    const camera = this.host.camera(), { width, height } = this.over.style;
+    for (const { style } of this.canvases) Object.assign(style, { width, height });
+    const display = this.host.display(), now = JSON.stringify(display), isEye = camera !== this.traced;
+    if (isEye) void this.trace(camera);
+    if (now !== this.drawn) this.draw(display);
+    if (isEye || now !== this.drawn) this.request(camera, display);
+    this.drawn = now;
+    this.over.parentElement.classList.toggle("both-exact", !byId("still").hidden && !this.exact.canvas.hidden);
+    requestAnimationFrame(() => this.follow());
+  }
+  /** Takes the exact picture off; another one follows after a while. */
+  request(camera, { look, planes, white }) {
+    this.exact.outdate();
+    if (look === "lamps") this.exact.follow({ camera, planes, hidden: [], ev: exposureOf(white) });
+  }
+  draw(display) {
+    this.picture.draw(display);
+  }
+  async trace(camera) {
+    this.traced = camera;
+    try {
+      if (!await this.tracing.rest(camera)) return;
+      while (camera === this.traced && !this.picture.refine(this.host.display(), slice))
+        await new Promise((resolve) => setTimeout(resolve));
+      this.canvas.dataset.traced = "whole";
+    } catch (error) {
+      this.host.fail(error);
+    }
+  }
+};
+var Comparison = class {
+  constructor(into, host, over) {
+    this.earlier = null;
+    into.parentElement.hidden = !host.facts.against;
+    if (!host.facts.against) return;
+    const earlier = this.earlier = new Earlier(host, over), buttons = element("p");
+    const slider = element("input", "", { type: "range", min: "0", max: "1", step: "any", value: "0.5", ariaLabel: "border between the revisions" });
+    const show = (way) => {
+      const wasShown = this.isShown;
+      slider.disabled = way !== "both";
+      earlier.split(way === "both" ? Number(slider.value) : 0);
+      earlier.show(way).catch((error) => host.fail(error));
+      if (this.isShown !== wasShown) host.changed(false, true);
+    };
+    slider.oninput = () => earlier.split(Number(slider.value));
+    choice(buttons, ways, "new", (name) => show(name));
+    slider.disabled = true;
+    into.replaceChildren(buttons, slider);
+  }
+  /** True while the earlier revision is shown. */
+  get isShown() {
+    return this.earlier !== null && this.earlier.way !== "new";
+  }
+};
+
+// source/row_moves.ts
+function rowAxes(plane) {
+  const along = unit(plane.u), normal = unit(cross(plane.u, plane.v));
+  return { along, across: cross(normal, along), normal };
+}
+var moved = (plane, step3) => ({ ...plane, origin: sum(plane.origin, step3) });
+function turnedRow(plane, axis, angle) {
+  const middle2 = sum(plane.origin, scaled(sum(plane.u, plane.v), 0.5)), turn = (a) => turned(a, axis, angle);
+  return { ...plane, origin: sum(middle2, turn(difference(plane.origin, middle2))), u: turn(plane.u), v: turn(plane.v) };
+}
+function mmOfPixel(camera) {
+  return pixelSize(camera) * (camera.projection === "orthographic" ? 1 : length(difference(camera.target, camera.eye)));
+}
+function movedWithin(plane, step3) {
+  const { along, across } = rowAxes(plane);
+  return moved(plane, sum(scaled(along, dot(step3, along)), scaled(across, dot(step3, across))));
+}
+function dragged(plane, camera, x, y) {
+  const { right: right2, up } = axesOf(camera);
+  return movedWithin(plane, scaled(sum(scaled(right2, x), scaled(up, -y)), mmOfPixel(camera)));
+}
+function afterMove(plane, move, amount) {
+  const axes2 = rowAxes(plane), angle = amount * Math.PI / 180;
+  if (move === "turn") return turnedRow(plane, axes2.normal, angle);
+  if (move === "tilt") return turnedRow(plane, axes2.along, angle);
+  return moved(plane, scaled(axes2[move], amount));
+}
+function withRoom(plane) {
+  const needed = (plane.lamps - 1) * plane.pitch + plane.diameter, more = needed - length(plane.v);
+  if (more <= 0) return plane;
+  const across = unit(plane.v);
+  return { ...plane, origin: sum(plane.origin, scaled(across, -more / 2)), v: scaled(across, needed) };
+}
+
+// source/gizmo.ts
+var size = 130;
+var reach = 44;
+var handles = [
+  { move: "along", color: "#e05050", title: "move the row along its lamps" },
+  { move: "across", color: "#50c050", title: "move the row across its lamps" },
+  { move: "normal", color: "#5090ff", title: "move the row along its normal" }
+];
+function shape(tag, attributes, title = "") {
+  const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, String(value));
+  if (title) made.append(Object.assign(document.createElementNS("http://www.w3.org/2000/svg", "title"), { textContent: title }));
+  return made;
+}
+var Gizmo = class {
+  /** `act` gets moves in mm or degrees, and true at the end of a drag. */
+  constructor(parent, act2) {
+    this.act = act2;
+    this.grabbed = null;
+    this.root = shape("svg", { id: "gizmo", width: size, height: size, viewBox: `${-size / 2} ${-size / 2} ${size} ${size}` });
+    parent.append(this.root);
+  }
+  /** Draws the axes of a row as a camera sees them; nothing without a row. */
+  show(plane, camera) {
+    if (this.grabbed) return;
+    this.root.replaceChildren();
+    if (!plane) return;
+    const { right: right2, up } = axesOf(camera), axes2 = rowAxes(plane), pixel = 1 / mmOfPixel(camera);
+    const least = 0.26;
+    const project2 = (axis) => {
+      const x = dot(axis, right2), y = -dot(axis, up), length2 = Math.hypot(x, y);
+      return length2 > least ? [x, y] : length2 > 0 ? [x * least / length2, y * least / length2] : [0, -least];
+    };
+    this.handle(shape("circle", { r: reach + 14, fill: "none", stroke: "#c0a030", "stroke-width": 5 }, "turn the row about its normal"), "turn", [-1.5, 0]);
+    for (const { move, color, title } of handles) {
+      const [x, y] = project2(axes2[move]);
+      this.handle(shape("line", { x2: reach * x, y2: reach * y, stroke: color, "stroke-width": 6, "stroke-linecap": "round" }, title), move, [x * pixel, y * pixel]);
+      this.handle(shape("circle", { cx: reach * x, cy: reach * y, r: 7, fill: color }, title), move, [x * pixel, y * pixel]);
+    }
+    this.handle(shape("circle", { r: 8, fill: "#ddd" }, "tilt the row about its lamps"), "tilt", [0, 4]);
+  }
+  /** Lets a shape be dragged; `way`: pixels that a mm or a degree takes in the picture. */
+  handle(element2, move, way) {
+    element2.setAttribute("data-move", move);
+    element2.onpointerdown = (event) => {
+      element2.setPointerCapture(event.pointerId);
+      this.grabbed = { move, way, x: event.clientX, y: event.clientY };
+    };
+    element2.onpointermove = (event) => {
+      const { grabbed } = this;
+      if (!grabbed) return;
+      this.act(move, this.amount(event.clientX - grabbed.x, event.clientY - grabbed.y, grabbed.way), false);
+      grabbed.x = event.clientX, grabbed.y = event.clientY;
+    };
+    element2.onpointerup = () => {
+      this.grabbed = null;
+      this.act(move, 0, true);
+    };
+    this.root.append(element2);
+  }
+  /** mm or degrees of a drag by pixels. */
+  amount(x, y, [byX, byY]) {
+    return (x * byX + y * byY) / (byX * byX + byY * byY);
+  }
+};
+
+// source/help.ts
+function showDialog(title, lines2) {
+  const rows = lines2.map(([name, words2]) => element("tr", [element("th", name), element("td", words2)]));
+  const close = element("button", "close", { type: "button", onclick: () => dialog.close() });
+  const dialog = element("dialog", [element("h2", title), element("table", rows), close]);
+  dialog.onclose = () => dialog.remove();
+  document.body.append(dialog);
+  dialog.showModal();
+}
+
+// source/mouse.ts
+var mouseStyles = ["Keiko", "Alias", "CATIA", "SolidWorks", "Blender"];
+var left = 1;
+var right = 2;
+var middle = 4;
+function mouseAction(style, event) {
+  const { buttons, shiftKey, ctrlKey, metaKey, altKey } = event, hasControl = ctrlKey || metaKey;
+  if (buttons === left && hasControl) return "lamps";
+  switch (style) {
+    case "Keiko":
+      return buttons & (right | middle) || shiftKey ? "pan" : "orbit";
+    case "Alias":
+      return !altKey || !shiftKey ? "none" : buttons & left ? "orbit" : buttons & middle ? "pan" : "zoom";
+    case "CATIA":
+      if (!(buttons & middle)) return "none";
+      return buttons & (left | right) || hasControl ? "orbit" : shiftKey ? "zoom" : "pan";
+    case "SolidWorks":
+    case "Blender": {
+      if (!(buttons & middle)) return "none";
+      const pans = style === "Blender" ? shiftKey : hasControl, zooms = style === "Blender" ? hasControl : shiftKey;
+      return pans ? "pan" : zooms ? "zoom" : "orbit";
+    }
+  }
+}
+var mouseHelp = {
+  Keiko: "drag turns, Shift or right button pans",
+  Alias: "Shift + Alt: left turns, middle pans, right zooms",
+  CATIA: "middle pans, middle with left, right or Ctrl turns, with Shift zooms",
+  SolidWorks: "middle turns, with Ctrl pans, with Shift zooms",
+  Blender: "middle turns, with Shift pans, with Ctrl zooms"
+};
+
+// source/pointer.ts
+var rest2 = 300;
+var threshold = 3;
+function act(host, action, x, y) {
+  const camera = host.camera();
+  if (action === "lamps") host.lamps.drag(x, y);
+  if (action === "pan") host.setCamera(panned(camera, x, y));
+  if (action === "zoom") host.setCamera(dollied(camera, Math.exp(y / 200)));
+  if (action === "orbit") host.setCamera(orbited(camera, camera.target, -x / 200, -y / 200));
+}
+var Pointer = class {
+  constructor(canvas, host) {
+    this.canvas = canvas;
+    this.host = host;
+    this.drag = null;
+    this.timer = 0;
+    canvas.onpointerdown = (event) => this.press(event);
+    canvas.onpointermove = (event) => this.move(event);
+    canvas.onpointerup = (event) => this.release(event);
+    canvas.oncontextmenu = (event) => event.preventDefault();
+    canvas.onwheel = (event) => this.wheel(event);
+  }
+  /** The pixel of the picture under the mouse. */
+  pixel(event) {
+    const { width, height } = this.canvas, box = this.canvas.getBoundingClientRect();
+    return [Math.floor((event.clientX - box.left) / box.width * width), Math.floor((event.clientY - box.top) / box.height * height)];
+  }
+  press(event) {
+    const { canvas, host } = this, action = mouseAction(host.style(), event);
+    canvas.setPointerCapture(event.pointerId);
+    if (action === "lamps") host.lamps.grab(...this.pixel(event));
+    this.drag = { x: event.clientX, y: event.clientY, pixel: this.pixel(event), action, moved: false };
+  }
+  move(event) {
+    const { drag, host } = this;
+    if (!drag) return;
+    const x = event.clientX - drag.x, y = event.clientY - drag.y;
+    if (!drag.moved && Math.hypot(x, y) < threshold) return;
+    if (drag.action !== "lamps") drag.action = mouseAction(host.style(), event);
+    if (drag.action === "none") return;
+    const scale = host.camera().height / this.canvas.clientHeight, pixel = this.pixel(event);
+    if (drag.action === "lamps") host.lamps.follow(drag.pixel, pixel);
+    else act(host, drag.action, x * scale, y * scale);
+    Object.assign(drag, { x: event.clientX, y: event.clientY, pixel, moved: true });
+    host.changed(drag.action !== "lamps", false);
+  }
+  release(event) {
+    const { drag } = this;
+    this.drag = null;
+    if (drag?.moved) return this.host.changed(drag.action !== "lamps", true);
+    if (event.button === 0) this.host.pick(...this.pixel(event));
+  }
+  wheel(event) {
+    const { host } = this;
+    event.preventDefault();
+    clearTimeout(this.timer);
+    host.setCamera(dollied(host.camera(), Math.exp(event.deltaY / 1e3)));
+    host.changed(true, false);
+    this.timer = window.setTimeout(() => host.changed(true, true), rest2);
+  }
+};
+
+// source/keys.ts
+var lookKeys = {
+  l: "lamps",
+  z: "zebra",
+  i: "isophotes",
+  h: "highlight lines",
+  c: "curvature",
+  d: "draft",
+  f: "faces"
+};
+var arrowStep = 10;
+var arrows = {
+  ArrowLeft: [-arrowStep, 0],
+  ArrowRight: [arrowStep, 0],
+  ArrowUp: [0, -arrowStep],
+  ArrowDown: [0, arrowStep]
+};
+function keysOf(host) {
+  const step3 = 50, angle = 2;
+  return [
+    ...Object.entries(lookKeys).map(([key, look]) => ({ key, words: look, act: () => host.chooseLook(look) })),
+    ...host.views().map(({ name, show }, i) => ({ key: String(i), words: `view: ${name}`, act: show })),
+    { key: "n", words: "the next row of lamps", act: () => host.lamps.next() },
+    { key: "+", words: "row 50 mm along its normal", act: () => host.lamps.move("normal", step3) },
+    { key: "-", words: "row 50 mm back", act: () => host.lamps.move("normal", -step3) },
+    { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
+    { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
+    { key: "s", words: "seams over the picture, by verdict", act: () => host.toggleSeams() },
+    { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
+    { key: "?", words: "this list", act: () => showKeys(host) }
+  ];
+}
+function showKeys(host) {
+  showDialog("Keys and mouse", [
+    ["mouse", `${mouseHelp[host.style()]}; wheel zooms`],
+    ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
+    ["click", "place, normal and radii; on a seam its verdict"],
+    ["arrows", "turn; with Shift pan; with Ctrl move the row"],
+    ...keysOf(host).map(({ key, words: words2 }) => [key, words2])
+  ]);
+}
+function listenToKeys(canvas, host) {
+  const keys = new Map(keysOf(host).map((key) => [key.key, key.act]));
+  canvas.onkeydown = (event) => {
+    const way = arrows[event.key], does = keys.get(event.key);
+    if (!way && !does || event.altKey) return;
+    if (does && (event.ctrlKey || event.metaKey)) return;
+    event.preventDefault();
+    if (does) return does();
+    act(host, event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
+    host.changed(!event.ctrlKey, true);
+  };
+}
+
+// source/lamp_rows.ts
+var LampRows = class {
+  constructor(planes, host) {
+    this.planes = planes;
+    this.host = host;
+    this.chosen = 0;
+  }
+  get all() {
+    return this.planes;
+  }
+  get row() {
+    return this.planes[this.chosen];
+  }
+  /** Takes other rows, without showing them. */
+  take(planes) {
+    this.planes = planes;
+  }
+  /** Shows other rows. */
+  set(planes) {
+    this.take(planes);
+    this.choose(0);
+    this.host.changed(false, true);
+  }
+  choose(row2) {
+    this.chosen = row2;
+    this.host.rowChosen();
+  }
+  next() {
+    this.choose((this.chosen + 1) % Math.max(this.planes.length, 1));
+  }
+  /** Chooses the row that a pixel of the picture mirrors. */
+  grab(x, y) {
+    const row2 = this.host.rowAt(x, y);
+    if (row2 >= 0 && row2 !== this.chosen) this.choose(row2);
+  }
+  /**
+   * Moves the chosen row in its plane so that its image follows the mouse from one pixel of the picture to another; the
+   * caller shows it. Where the reflection jumps, or is none, the row moves as far as the mouse at the target.
+   */
+  follow(from, to) {
+    const { row: row2 } = this;
+    if (!row2) return;
+    const begin = this.host.mirroredOn(...from, row2), end = this.host.mirroredOn(...to, row2), step3 = begin && end && difference(end, begin);
+    const farthest = 0.25 * Math.max(length(row2.u), length(row2.v));
+    if (step3 && length(step3) <= farthest) this.edit(this.chosen, (plane) => movedWithin(plane, step3));
+    else this.drag(to[0] - from[0], to[1] - from[1]);
+  }
+  /** Moves the chosen row in its plane, by pixels of the picture at the target; the caller shows it. */
+  drag(x, y) {
+    this.edit(this.chosen, (plane) => dragged(plane, this.host.camera(), x, y));
+  }
+  /** Moves the chosen row by mm, or degrees. */
+  move(move, amount, isOver = true) {
+    this.edit(this.chosen, (plane) => afterMove(plane, move, amount));
+    this.host.changed(false, isOver);
+  }
+  /** Shows another row in place of one. */
+  change(row2, plane) {
+    this.edit(row2, () => plane);
+    this.host.changed(false, true);
+  }
+  edit(row2, change2) {
+    this.planes = this.planes.map((plane, i) => i === row2 ? change2(plane) : plane);
+  }
+};
+
+// source/lamps_panel.ts
+function showLamps(host) {
+  const { lamps } = host;
+  showRows(lamps.all, lamps.chosen, (row2) => lamps.choose(row2), (row2, plane) => lamps.change(row2, withRoom(plane)));
+}
+function lampButtons(host) {
+  const run = async (work) => {
+    try {
+      await work();
+      host.tell("");
+    } catch (error) {
+      host.fail(error);
+    }
+  };
+  const request = () => requestText(host.camera(), host.lamps.all);
+  const place = async () => host.lamps.set((await (await ask("POST", "/place", request())).json()).rig.planes);
+  const save = async () => download("rig.toml", await (await ask("POST", "/rig", request())).blob());
+  const open = async () => host.lamps.set((await newRig(await pickedText(".toml"))).planes);
+  byId("lamp-buttons").replaceChildren(
+    button("place for this view", () => void run(place)),
+    button("save", () => void run(save)),
+    button("open", () => void run(open))
+  );
+}
+
+// source/link.ts
+var text = (v) => v.map((x) => String(Number(x.toPrecision(9)))).join(",");
+function numbersOf(given) {
+  const numbers2 = given ? given.split(",").map(Number) : [];
+  return numbers2.every(Number.isFinite) ? numbers2 : null;
+}
+function vectorOf(given) {
+  const numbers2 = numbersOf(given);
+  return numbers2?.length === 3 ? numbers2 : null;
+}
+var eyeTexts = (eye) => ({
+  eye: text(eye.eye),
+  target: text(eye.target),
+  up: text(eye.up),
+  lens: eye.projection === "orthographic" ? `height,${eye.orthographic_height}` : `fov,${eye.vertical_fov}`
+});
+function eyeOf(given) {
+  const [eye, target, up] = ["eye", "target", "up"].map((name) => vectorOf(given.get(name)));
+  const [lens, size2] = (given.get("lens") ?? "").split(","), wide2 = Number(size2), isParallel = lens === "height";
+  if (!eye || !target || !up || !["height", "fov"].includes(lens) || !(wide2 > 0 && (isParallel || wide2 < 180))) return null;
+  return {
+    projection: isParallel ? "orthographic" : "perspective",
+    eye,
+    target,
+    up,
+    vertical_fov: isParallel ? 28 : wide2,
+    orthographic_height: isParallel ? wide2 : 0
+  };
+}
+var rowText = (p) => `${text([...p.origin, ...p.u, ...p.v, p.lamps, p.pitch, p.diameter, ...p.luminance])},${p.caps},${p.mirror}`;
+function rowOf(given) {
+  const parts = given.split(","), n = parts.slice(0, 15).map(Number), [caps, mirror] = parts.slice(15);
+  const isRow = parts.length === 17 && n.every(Number.isFinite) && n[9] >= 0 && n[10] > 0 && n[11] > 0 && ["dark", "luminous"].includes(caps) && ["tube", "flat", "exact"].includes(mirror);
+  if (!isRow) return null;
+  const vector2 = (at) => [n[at], n[at + 1], n[at + 2]];
+  return {
+    origin: vector2(0),
+    u: vector2(3),
+    v: vector2(6),
+    lamps: Math.round(n[9]),
+    pitch: n[10],
+    diameter: n[11],
+    luminance: vector2(12),
+    caps,
+    mirror
+  };
+}
+var noteText = ({ place, face, text: words2 }) => `${text([...place, face])},${words2}`;
+function noteOf(given) {
+  const parts = given.split(","), n = parts.slice(0, 4).map(Number), words2 = parts.slice(4).join(",");
+  return n.every(Number.isFinite) && words2 ? { place: [n[0], n[1], n[2]], face: n[3], text: words2 } : null;
+}
+function keepInAddress(state) {
+  history.replaceState(null, "", `#${fragmentOf(state)}`);
+}
+function fragmentOf({ camera, look, planes, hidden, section, seams, notes }) {
+  const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
+  if (look.look === "curvature" && look.kind === "section") fragment.set("across", directionWord(look.across));
+  for (const plane of planes ?? []) fragment.append("row", rowText(plane));
+  if (planes?.length === 0) fragment.append("rows", "none");
+  if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
+  if (section) fragment.append("section", section);
+  if (seams) fragment.set("seams", "shown");
+  for (const note of notes) fragment.append("note", noteText(note));
+  return fragment;
+}
+function stateOfAddress() {
+  const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
+  const camera = eyeOf(given), look = lookOf(given.get("look") ?? ""), hidden = numbersOf(given.get("hidden"));
+  const notes = given.getAll("note").map(noteOf);
+  if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
+  const across = directionOf(given.get("across") ?? "") ?? look.across;
+  const isOwn = rows.length > 0 || given.get("rows") === "none";
+  return {
+    camera,
+    look: { ...look, across },
+    planes: isOwn ? rows : null,
+    hidden,
+    section: given.get("section") ?? "",
+    seams: given.get("seams") === "shown",
+    notes
+  };
+}
+function linkOf(state) {
+  const fragment = fragmentOf(state);
+  fragment.set("token", token);
+  return `${location.origin}${location.pathname}#${fragment}`;
+}
+
+// source/live_picture.ts
+var slice2 = 12;
 var LivePicture = class {
+  // of the last eye that came to rest; false: a later eye ended them
   constructor(facts2, host) {
     this.host = host;
     this.canvas = byId("picture");
@@ -2700,8 +2842,9 @@ var LivePicture = class {
     this.turn = 0;
     // of the changes: work for an earlier one is out of date
     this.isEyeMoving = false;
+    this.surfaces = Promise.resolve(true);
     this.picture = new Picture(this.canvas, facts2);
-    this.exact = new ExactPicture(byId("still"), (line) => host.tell(line), (error) => host.fail(error));
+    this.exact = new ExactPicture(byId("still"), "/still", (line) => host.tell(line), (error) => host.fail(error));
     this.tracing = new Tracing(facts2.reflections, (camera, spent) => this.picture.bufferFor(camera, spent), (buffer) => {
       this.picture.show(buffer);
       this.paint();
@@ -2740,33 +2883,37 @@ var LivePicture = class {
   /** Completes the picture after a change: surfaces, bent pixels, white, and after a while the exact picture. */
   async settle(isEye) {
     const own = ++this.turn, began = performance.now(), { host } = this;
+    if (isEye) this.surfaces = this.tracing.rest(host.pictured().camera);
     try {
-      if (isEye && !await this.tracing.rest(host.pictured().camera)) return;
+      if (!await this.surfaces || own !== this.turn) return;
       const taken = performance.now() - began;
       if (!await this.refine(own)) return;
       this.measure();
       this.draw();
       if (isEye) host.tell(`surfaces in ${taken.toFixed(0)} ms`);
       host.settled();
-      if (host.look().look === "lamps") this.exact.follow(host.pictured());
+      const ev = host.isCompared() ? exposureOf(this.white) : null;
+      if (host.look().look === "lamps") this.exact.follow({ ...host.pictured(), ev });
     } catch (error) {
+      this.surfaces = Promise.resolve(true);
       host.fail(error);
     }
   }
   /** Divides bent pixels in slices of time; false if something changed meanwhile. */
   async refine(own) {
     cancelAnimationFrame(this.frame);
+    this.picture.renew();
     this.draw();
     while (own === this.turn) {
-      if (this.picture.refine(this.display(), slice)) return true;
+      if (this.picture.refine(this.display(), slice2)) return true;
       await new Promise((resolve) => setTimeout(resolve));
     }
     return false;
   }
   /** Takes white or the scale of curvature from the picture as it is drawn. */
   measure() {
-    const { look, kind } = this.host.look();
-    if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(kind);
+    const stated = this.host.look(), { look } = stated;
+    if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(stated);
     if (look === "lamps") this.white = this.picture.whiteOf();
   }
   paint() {
@@ -2859,83 +3006,6 @@ function crossAt(pixel) {
     [[x + from, y], [x + to, y]],
     [[x, y + from], [x, y + to]]
   ]);
-}
-
-// source/compare.ts
-var ways = ["new", "both", "difference"];
-var slice2 = 12;
-var Earlier = class {
-  constructor(host, over) {
-    this.host = host;
-    this.over = over;
-    this.canvas = element("canvas", "", { id: "earlier", hidden: true });
-    this.picture = null;
-    this.traced = null;
-    this.drawn = "";
-    this.way = "new";
-    this.tracing = null;
-    byId("still").after(this.canvas);
-  }
-  async show(way) {
-    const wasShown = this.way !== "new";
-    this.way = way;
-    this.canvas.hidden = way === "new";
-    this.canvas.style.mixBlendMode = way === "difference" ? "difference" : "normal";
-    this.over.parentElement.classList.toggle("comparing", way !== "new");
-    if (wasShown || way === "new") return;
-    const facts2 = await (await ask("GET", "/against/scene")).json();
-    const picture = this.picture ??= new Picture(this.canvas, facts2);
-    this.tracing ??= new Tracing(facts2.reflections, (camera, spent) => picture.bufferFor(camera, spent), (buffer) => {
-      picture.show(buffer);
-      this.draw(this.host.display());
-    }, { path: "/against/deep" });
-    this.follow();
-  }
-  /** Share of the picture, from the left, that shows the new revision. */
-  split(share2) {
-    this.canvas.style.clipPath = `inset(0 0 0 ${(100 * share2).toFixed(2)}%)`;
-  }
-  /** Follows eye, look and lamps as long as it is shown. */
-  follow() {
-    if (this.way === "new") return;
-    const camera = this.host.camera(), { width, height } = this.over.style;
-    Object.assign(this.canvas.style, { width, height });
-    if (camera !== this.traced) void this.trace(camera);
-    const display = this.host.display(), now = JSON.stringify(display);
-    if (now !== this.drawn) this.draw(display);
-    this.drawn = now;
-    requestAnimationFrame(() => this.follow());
-  }
-  draw(display) {
-    this.picture.draw(display);
-  }
-  async trace(camera) {
-    this.traced = camera;
-    try {
-      if (!await this.tracing.rest(camera)) return;
-      while (camera === this.traced && !this.picture.refine(this.host.display(), slice2))
-        await new Promise((resolve) => setTimeout(resolve));
-      this.canvas.dataset.traced = "whole";
-    } catch (error) {
-      this.host.fail(error);
-    }
-  }
-};
-function comparePanel(into, host, over) {
-  const section = into.parentElement;
-  section.hidden = !host.facts.against;
-  if (section.hidden) return;
-  const earlier = new Earlier(host, over), buttons = element("p");
-  const slider = element("input", "", { type: "range", min: "0", max: "1", step: "any", value: "0.5", ariaLabel: "border between the revisions" });
-  const show = (way) => {
-    slider.disabled = way !== "both";
-    earlier.split(way === "both" ? Number(slider.value) : 0);
-    earlier.show(way).catch((error) => host.fail(error));
-  };
-  slider.oninput = () => earlier.split(Number(slider.value));
-  choice(buttons, ways, "new", (name) => show(name));
-  slider.disabled = true;
-  into.replaceChildren(buttons, slider);
 }
 
 // source/profile_plot.ts
@@ -3059,11 +3129,26 @@ var shownViews = ["front", "rear", "left", "right", "top", "three-quarter-front"
 function namedViews(facts2) {
   return [{ name: "opened", camera: facts2.camera }, ...facts2.own_views, ...facts2.views.filter(({ name }) => shownViews.includes(name))];
 }
-function showLooks({ look, kind }, choose) {
-  choice(byId("look-buttons"), looks, look, (name) => choose({ look: name, kind }));
+function showLooks(stated, row2, choose) {
+  const { look, kind } = stated;
+  choice(byId("look-buttons"), looks, look, (name) => choose({ ...stated, look: name }));
   byId("curvature-kind").replaceChildren(...look === "curvature" ? [
-    selection("of", curvatureKinds, kind, (name) => choose({ look, kind: name }))
+    selection("of", curvatureKinds, kind, (name) => choose({ ...stated, kind: name })),
+    ...kind === "section" ? sectionDirection(stated, row2, choose) : []
   ] : []);
+}
+function sectionDirection(stated, row2, choose) {
+  const known = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1], ...row2 ? { lamps: unit(row2.u) } : {} };
+  const named = Object.keys(known).find((name) => directionWord(known[name]) === directionWord(stated.across)) ?? "";
+  const input = element("input", "", { ariaLabel: "normal of the planes", value: directionWord(stated.across), size: 14 });
+  input.onchange = () => {
+    const across = directionOf(input.value);
+    if (across) choose({ ...stated, across });
+    else input.value = directionWord(stated.across);
+  };
+  return [selection("across", ["", ...Object.keys(known)], named, (name) => {
+    if (name) choose({ ...stated, across: known[name] });
+  }), input];
 }
 function moreViews(host) {
   const views = host.facts.views.filter(({ name }) => !shownViews.includes(name));
@@ -3072,7 +3157,7 @@ function moreViews(host) {
     if (view) host.lookFrom(view.camera);
   });
 }
-function showPanel(host, canvas) {
+function showPanel(host) {
   byId("views").replaceChildren(
     ...host.views().map(({ name, show }) => button(name, show)),
     moreViews(host),
@@ -3081,7 +3166,6 @@ function showPanel(host, canvas) {
   showLamps(host);
   lampButtons(host);
   faultsPanel(byId("faults"), host);
-  comparePanel(byId("compare"), host, canvas);
   byId("page").replaceChildren(
     button("picture", () => host.savePicture()),
     button("copy link", () => host.copyLink()),
@@ -3093,6 +3177,43 @@ function showPanel(host, canvas) {
 }
 
 // source/pick_panel.ts
+var PickPanel = class {
+  constructor(host) {
+    this.host = host;
+    this.last = null;
+    this.running = new AbortController();
+  }
+  /** Shows a place at once, and what is proved of it as soon as the server has traced it. */
+  show(at) {
+    const before = this.last, face = at && at.face > 0 ? this.host.facts.faces[at.face - 1] : null;
+    this.running.abort();
+    byId("note").replaceChildren();
+    if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
+    this.last = at;
+    const name = face ? `${face.id} ${face.name}` : "ground", show = (proof) => showPairs(byId("pick"), [
+      ["face", name],
+      ["place", `${numbers(proof ? proof.place : at.place, 3)} mm`],
+      ["proved to", proof ? boundText(proof) : "…"],
+      ["normal", numbers(at.normal, 4)],
+      ["radii", at.radii.map((radius, i) => proof ? rangeText(proof.curvatures[i], radius) : radiusText(radius)).join(", ")],
+      ...before ? [["from the last", apartText(before, at)]] : []
+    ]);
+    show(null);
+    if (face) byId("note").replaceChildren(noteField(at.place, face.id, (note) => this.host.addNote(note)));
+    this.running = new AbortController();
+    void this.prove(at, show, this.running.signal);
+  }
+  async prove({ camera, pixel }, show, signal) {
+    const more = `pixel = [${pixel.join(", ")}]
+${hiddenText(this.host.hidden())}`;
+    try {
+      const { picked } = await (await ask("POST", "/pick", requestText(camera, void 0, more), signal)).json();
+      if (picked && !signal.aborted) show(picked);
+    } catch (error) {
+      if (!signal.aborted) this.host.fail(error);
+    }
+  }
+};
 var numbers = (v, digits) => v.map((n) => n.toFixed(digits)).join(", ");
 function noteField(place, face, add) {
   const input = element("input", "", { ariaLabel: "note", placeholder: "a note on this place", maxLength: 300 });
@@ -3105,35 +3226,34 @@ function noteField(place, face, add) {
   };
   return element("p", [input, button("note", keep)]);
 }
+var flat = 1e6;
+var sideOf = (radius) => radius > 0 ? "hollow" : "crowned";
 function radiusText(radius) {
-  const size2 = Math.abs(radius), flat = 1e6;
+  const size2 = Math.abs(radius);
   if (!(size2 < flat)) return "flat";
-  const digits = Math.max(0, 3 - Math.floor(Math.log10(size2)));
-  return `${size2.toFixed(digits)} mm ${radius > 0 ? "hollow" : "crowned"}`;
+  return `${size2.toFixed(Math.max(0, 3 - Math.floor(Math.log10(size2))))} mm ${sideOf(radius)}`;
+}
+function rangeText(range, radius) {
+  if (!range) return `${radiusText(radius)}, not proved`;
+  const [low, high2] = range, least = 1 / Math.max(Math.abs(low), Math.abs(high2));
+  if (low <= 0 && high2 >= 0 || least > flat) return `flat: more than ${Math.min(least, 1e12).toPrecision(3)} mm`;
+  const middle2 = (1 / low + 1 / high2) / 2, bound = Math.max(Math.abs(1 / low - 1 / high2) / 2, 1e-15 * Math.abs(middle2));
+  const digits = Math.min(Math.max(-Math.floor(Math.log10(bound)), 0), 6);
+  return `${Math.abs(middle2).toFixed(digits)} ± ${bound.toPrecision(1)} mm ${sideOf(middle2)}`;
+}
+function boundText({ bound, unique }) {
+  return `${bound.toPrecision(1)} mm${unique ? ", the only hit of its surface piece" : ""}`;
 }
 function apartText(a, b) {
   const angle = Math.atan2(length(cross(a.normal, b.normal)), dot(a.normal, b.normal)) * 180 / Math.PI;
   return `${length(difference(b.place, a.place)).toFixed(3)} mm, normals ${angle.toFixed(3)}° apart`;
 }
-function showPlace(at, before, facts2, add) {
-  byId("note").replaceChildren();
-  if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
-  const face = at.face > 0 ? facts2.faces[at.face - 1] : null;
-  showPairs(byId("pick"), [
-    ["face", face ? `${face.id} ${face.name}` : "ground"],
-    ["place", `${numbers(at.place, 2)} mm`],
-    ["rounding", `${at.rounding.toPrecision(1)} mm`],
-    ["normal", numbers(at.normal, 4)],
-    ["radii", at.radii.map(radiusText).join(", ")],
-    ...before ? [["from the last", apartText(before, at)]] : []
-  ]);
-  if (face) byId("note").replaceChildren(noteField(at.place, face.id, add));
-}
 
 // source/saving.ts
 function savePicture(picture, facts2, display, { width, height }) {
   download("picture.png", picture);
-  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}`;
+  const section = display.look === "curvature" && display.kind === "section" ? ` --section ${directionWord(display.across)}` : "";
+  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}${section}`;
   const command = `keiko render ${facts2.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
   showDialog("Picture", [
     ["file", "picture.png, in your downloads"],
@@ -3152,9 +3272,9 @@ async function copyLink(state, tell) {
 
 // source/seam.ts
 var continuities = [
-  { label: "G0", name: "gap", mending: "position", of: (seam) => seam.gap, unit: " mm", shown: 1 },
+  { label: "G0", name: "gap", mending: "position", of: (seam) => seam.gap, unit: " mm", shown: 1 },
   { label: "G1", name: "angle", mending: "tangent", of: (seam) => seam.angle, unit: "°", shown: 1 },
-  { label: "G2", name: "curvature mismatch", mending: "curvature", of: (seam) => seam.curvature, unit: " %", shown: 100 },
+  { label: "G2", name: "curvature mismatch", mending: "curvature", of: (seam) => seam.curvature, unit: " %", shown: 100 },
   { label: "G3", name: "slope of curvature", mending: "curvature", of: (seam) => seam.curvature_slope, unit: "°", shown: 1 },
   { label: "run-out", name: "step where the crease fades", mending: "tangent", of: (seam) => seam.fading, unit: "°/mm", shown: 1 }
 ];
@@ -3537,8 +3657,7 @@ var Viewer = class {
     this.facts = facts2;
     this.left = [];
     // faces that are not shown
-    this.stated = { look: "lamps", kind: "mean" };
-    this.picked = null;
+    this.stated = firstLook;
     this.eye = facts2.camera;
     this.lamps = new LampRows(facts2.rig.planes, this);
     this.mouse = mouseStyles.find((style) => style === localStorage.getItem("mouse")) ?? "Keiko";
@@ -3546,6 +3665,8 @@ var Viewer = class {
     const { canvas } = this.picture;
     this.gizmo = new Gizmo(canvas.parentElement, (move, amount, isOver) => this.lamps.move(move, amount, isOver));
     this.section = new SectionPanel(byId("section"), this, canvas);
+    this.places = new PickPanel(this);
+    this.comparison = new Comparison(byId("compare"), this, canvas);
     this.seams = new SeamsPanel(byId("seams"), this, canvas);
     this.tree = new Tree(byId("tree"), this);
     this.marks = new Marks(canvas, () => this.eye);
@@ -3557,7 +3678,7 @@ var Viewer = class {
     if (linked) this.restore(linked);
     else if (analysis) this.analysis.take(analysis);
     this.showLooks();
-    showPanel(this, canvas);
+    showPanel(this);
     new Pointer(canvas, this);
     listenToKeys(canvas, this);
     window.onresize = () => this.picture.fit(this.eye);
@@ -3586,7 +3707,10 @@ var Viewer = class {
     return this.picture.sight();
   }
   pictured() {
-    return { camera: this.eye, planes: this.lamps.all, hidden: this.left };
+    return { camera: this.eye, planes: this.lamps.all, hidden: this.left, ev: null };
+  }
+  isCompared() {
+    return this.comparison.isShown;
   }
   rowAt(x, y) {
     return this.picture.rowAt(x, y, this.lamps.all);
@@ -3654,14 +3778,16 @@ var Viewer = class {
   }
   pick(x, y) {
     const picked = this.picture.pick(x, y);
-    showPlace(picked, this.picked, this.facts, (note) => this.analysis.addNote(note));
-    this.picked = picked ?? this.picked;
+    this.places.show(picked);
     const seam = picked && this.seams.pick(x, y);
     if (seam) this.mark(picked.place, seam.course);
     else this.marks.move(picked && picked.place);
   }
   mark(place, stretch = []) {
     this.marks.show(place, stretch);
+  }
+  addNote(note) {
+    this.analysis.addNote(note);
   }
   hide(faces) {
     this.left = faces;
@@ -3678,7 +3804,7 @@ var Viewer = class {
     this.choose({ ...this.stated, look });
   }
   showLooks() {
-    showLooks(this.stated, (look) => this.choose(look));
+    showLooks(this.stated, this.lamps.row, (look) => this.choose(look));
   }
   views() {
     return namedViews(this.facts).map(({ name, camera }) => ({ name, show: () => this.lookFrom(camera) }));

@@ -2,22 +2,22 @@ import { Camera } from "./camera";
 import { Plane } from "./facts";
 import { ask, hiddenText, requestText } from "./server";
 
-/** What a picture is requested of. */
-export interface Pictured { camera: Camera; planes: Plane[]; hidden: number[] }
+/** What a picture is requested of. `ev`: its exposure value; null: by the picture. */
+export interface Pictured { camera: Camera; planes: Plane[]; hidden: number[]; ev: number | null }
+
+/** The exposure value that shows a luminance, cd/m2, as white; the inverse of film/tone_mapping. */
+export const exposureOf = (white: number): number => Math.log2(white / 1.2);
 
 const rest = 300; // ms without a change before the exact picture is requested
 
-async function bytesOf({ camera, planes, hidden }: Pictured, signal?: AbortSignal): Promise<Blob> {
-  return (await ask("POST", "/still", requestText(camera, planes, hiddenText(hidden)), signal)).blob();
-}
 
 /** The picture that `keiko render` makes, over the page's own as long as nothing changes. */
 export class ExactPicture {
   private running = new AbortController();
   private timer = 0;
 
-  /** `tell` gets a line for the user, `fail` an error. */
-  constructor(readonly canvas: HTMLCanvasElement, private readonly tell: (line: string) => void,
+  /** `path`: of the request; `tell` gets a line for the user, `fail` an error. */
+  constructor(readonly canvas: HTMLCanvasElement, private readonly path: string, private readonly tell: (line: string) => void,
     private readonly fail: (error: unknown) => void) {}
 
   /** Something has changed: takes the picture off, and ends work on it. */
@@ -40,7 +40,7 @@ export class ExactPicture {
     clearTimeout(this.timer);
     this.running.abort();
     const own = this.running = new AbortController();
-    const bytes = await bytesOf(pictured);
+    const bytes = await this.bytesOf(pictured);
     if (!own.signal.aborted) await this.show(bytes, own.signal);
     return bytes;
   }
@@ -48,10 +48,15 @@ export class ExactPicture {
   private async fetch(pictured: Pictured): Promise<void> {
     const own = this.running = new AbortController();
     try {
-      await this.show(await bytesOf(pictured, own.signal), own.signal);
+      await this.show(await this.bytesOf(pictured, own.signal), own.signal);
     } catch (error) {
       if (!own.signal.aborted) this.fail(error);
     }
+  }
+
+  private async bytesOf({ camera, planes, hidden, ev }: Pictured, signal?: AbortSignal): Promise<Blob> {
+    const more = [hiddenText(hidden), ev === null ? "" : `ev = ${ev}`].join("\n");
+    return (await ask("POST", this.path, requestText(camera, planes, more), signal)).blob();
   }
 
   private async show(bytes: Blob, signal: AbortSignal): Promise<void> {

@@ -71,6 +71,14 @@ export class LampLight {
     };
   }
 
+  /** Makes the images of rows that were dragged anew: the light is that of a new buffer, bit for bit. */
+  renew(): void {
+    for (const { first, later, bends } of this.rows) {
+      const isFirst = first.renew(), isLater = later.renew();
+      if (isFirst || isLater) bends.fill(-1), this.refined = 0, this.hasEnds = false;
+    }
+  }
+
   /** Brings the light of all paths up to date, without dividing pixels; `changed` has those whose light is another. */
   update(): void {
     const buffer = this.buffer!, { changed, divided } = this;

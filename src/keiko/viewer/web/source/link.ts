@@ -1,7 +1,7 @@
 import { Note } from "./analysis";
 import { Camera } from "./camera";
 import { Plane } from "./facts";
-import { lookOf, StatedLook, wordOf } from "./look_words";
+import { directionOf, directionWord, lookOf, StatedLook, wordOf } from "./look_words";
 import { token } from "./server";
 import { Vector } from "./vector";
 
@@ -76,6 +76,7 @@ export function keepInAddress(state: ViewState): void {
 
 function fragmentOf({ camera, look, planes, hidden, section, seams, notes }: ViewState): URLSearchParams {
   const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
+  if (look.look === "curvature" && look.kind === "section") fragment.set("across", directionWord(look.across));
   for (const plane of planes ?? []) fragment.append("row", rowText(plane));
   if (planes?.length === 0) fragment.append("rows", "none");
   if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
@@ -91,9 +92,10 @@ export function stateOfAddress(): ViewState | null {
   const camera = eyeOf(given), look = lookOf(given.get("look") ?? ""), hidden = numbersOf(given.get("hidden"));
   const notes = given.getAll("note").map(noteOf);
   if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
+  const across = directionOf(given.get("across") ?? "") ?? look.across;
   const isOwn = rows.length > 0 || given.get("rows") === "none";
   return {
-    camera, look, planes: isOwn ? rows as Plane[] : null, hidden, section: given.get("section") ?? "",
+    camera, look: { ...look, across }, planes: isOwn ? rows as Plane[] : null, hidden, section: given.get("section") ?? "",
     seams: given.get("seams") === "shown", notes: notes as Note[],
   };
 }

@@ -1,5 +1,5 @@
 import { Camera } from "./camera";
-import { ExactPicture, Pictured } from "./exact_picture";
+import { ExactPicture, exposureOf, Pictured } from "./exact_picture";
 import { Facts, Plane } from "./facts";
 import { StatedLook } from "./look_words";
 import { byId } from "./panel";
@@ -14,6 +14,8 @@ const slice = 12; // ms of work between two looks at the mouse
 export interface PicturedHost {
   /** Eye, lamps and hidden faces. */
   pictured(): Pictured;
+  /** True while an earlier revision is shown, too: both exact pictures have one exposure. */
+  isCompared(): boolean;
   /** The look that is stated. */
   look(): StatedLook;
   /** A picture has been drawn. */
@@ -36,10 +38,11 @@ export class LivePicture {
   private spent = 0; // ms of work since the last frame
   private turn = 0;  // of the changes: work for an earlier one is out of date
   private isEyeMoving = false;
+  private surfaces = Promise.resolve(true); // of the last eye that came to rest; false: a later eye ended them
 
   constructor(facts: Facts, private readonly host: PicturedHost) {
     this.picture = new Picture(this.canvas, facts);
-    this.exact = new ExactPicture(byId("still") as HTMLCanvasElement, (line) => host.tell(line), (error) => host.fail(error));
+    this.exact = new ExactPicture(byId("still") as HTMLCanvasElement, "/still", (line) => host.tell(line), (error) => host.fail(error));
     this.tracing = new Tracing(facts.reflections, (camera, spent) => this.picture.bufferFor(camera, spent), (buffer) => {
       this.picture.show(buffer);
       this.paint();
@@ -85,16 +88,20 @@ export class LivePicture {
   /** Completes the picture after a change: surfaces, bent pixels, white, and after a while the exact picture. */
   private async settle(isEye: boolean): Promise<void> {
     const own = ++this.turn, began = performance.now(), { host } = this;
+    if (isEye) this.surfaces = this.tracing.rest(host.pictured().camera);
     try {
-      if (isEye && !await this.tracing.rest(host.pictured().camera)) return;
+      // Lamps that change meanwhile are shown on all of them, too.
+      if (!await this.surfaces || own !== this.turn) return;
       const taken = performance.now() - began;
       if (!await this.refine(own)) return;
       this.measure();
       this.draw();
       if (isEye) host.tell(`surfaces in ${taken.toFixed(0)} ms`);
       host.settled();
-      if (host.look().look === "lamps") this.exact.follow(host.pictured());
+      const ev = host.isCompared() ? exposureOf(this.white) : null;
+      if (host.look().look === "lamps") this.exact.follow({ ...host.pictured(), ev });
     } catch (error) {
+      this.surfaces = Promise.resolve(true);
       host.fail(error);
     }
   }
@@ -102,6 +109,7 @@ export class LivePicture {
   /** Divides bent pixels in slices of time; false if something changed meanwhile. */
   private async refine(own: number): Promise<boolean> {
     cancelAnimationFrame(this.frame);
+    this.picture.renew();
     this.draw();
     while (own === this.turn) {
       if (this.picture.refine(this.display(), slice)) return true;
@@ -112,8 +120,8 @@ export class LivePicture {
 
   /** Takes white or the scale of curvature from the picture as it is drawn. */
   measure(): void {
-    const { look, kind } = this.host.look();
-    if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(kind);
+    const stated = this.host.look(), { look } = stated;
+    if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(stated);
     if (look === "lamps") this.white = this.picture.whiteOf();
   }
 

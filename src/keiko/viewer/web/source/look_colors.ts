@@ -13,6 +13,7 @@ export type SurfaceLook = typeof surfaceLooks[number];
 /** Scales of the looks. */
 export interface LookScale {
   kind: CurvatureKind;   // that the look of curvature shows
+  across: Vector;        // normal of the planes of its sections
   fullCurvature: number; // at which its colours are full
   planes: Plane[];       // whose highlight lines are shown
 }
@@ -120,7 +121,7 @@ const mixed = (a: Rgb, b: Rgb, share: number): Rgb => {
 const signedStops: Rgb[] = [[0.02, 0.12, 0.55], [0.25, 0.55, 0.9], [0.87, 0.87, 0.87], [0.95, 0.5, 0.25], [0.6, 0.02, 0.05]];
 
 /** A curvature as the eye sees it, positive in hollows: 1/mm, a Gaussian one 1/mm2; NaN where it is not known. */
-export function curvatureOf(kind: CurvatureKind, surface: Surface): number {
+export function curvatureOf({ kind, across }: Pick<LookScale, "kind" | "across">, surface: Surface): number {
   const [larger, smaller] = surface.principal;
   switch (kind) {
     case "mean": return surface.mean;
@@ -128,16 +129,17 @@ export function curvatureOf(kind: CurvatureKind, surface: Surface): number {
     case "k1": return larger;
     case "k2": return smaller;
     case "absolute": return Math.abs(larger) + Math.abs(smaller);
+    case "section": return surface.along(unit(across));
   }
 }
 
 /** Colours between two signs; of what has none those of a rainbow. */
-function curvatureColor(buffer: SurfaceBuffer, { kind, fullCurvature }: LookScale): Color {
+function curvatureColor(buffer: SurfaceBuffer, { kind, across, fullCurvature }: LookScale): Color {
   const colorAt = kind === "absolute" ? rainbow : signedColor;
   return (path) => {
     const surface = buffer.surfaceOf(path);
     if (surface.face < 0 && kind === "absolute") return ground;
-    const share = curvatureOf(kind, surface) / fullCurvature;
+    const share = curvatureOf({ kind, across }, surface) / fullCurvature;
     return Number.isNaN(share) ? unknown : colorAt(share);
   };
 }

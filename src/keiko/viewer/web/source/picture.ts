@@ -3,7 +3,7 @@ import { Facts, Plane } from "./facts";
 import { Mirrors } from "./fresnel";
 import { LampLight } from "./lamp_light";
 import { curvatureOf, lookColors, SurfaceLook, surfaceLooks } from "./look_colors";
-import { CurvatureKind } from "./look_words";
+import { CurvatureKind, StatedLook } from "./look_words";
 import { rayNumbers } from "./ray";
 import { RowFrame } from "./row_frame";
 import { SurfaceBuffer } from "./surface_buffer";
@@ -17,6 +17,7 @@ export type Look = "lamps" | SurfaceLook;
 export interface Display {
   look: Look;
   kind: CurvatureKind;   // that the look of curvature shows
+  across: Vector;        // normal of the planes of its sections
   planes: Plane[];
   white: number;         // cd/m2 that is shown as white
   fullCurvature: number; // 1/mm, of a Gaussian one 1/mm2, at which colours are full
@@ -24,8 +25,9 @@ export interface Display {
 
 /** A surface at a pixel's centre. */
 export interface Picked {
+  camera: Camera;
+  pixel: [number, number]; // of the camera's picture: the centre of one
   place: Vector;
-  rounding: number; // mm, bound for the place: the deep buffer has single precision
   normal: Vector;
   radii: [number, number];
   face: number;
@@ -79,6 +81,11 @@ export class Picture {
     return true;
   }
 
+  /** Forgets how rows of lamps were dragged: the next drawing is that of a new picture. */
+  renew(): void {
+    this.lamps.renew();
+  }
+
   /** Divides pixels whose image of the lamps is bent, for some milliseconds; false if there are more. */
   refine(display: Display, milliseconds: number): boolean {
     if (!this.buffer || display.look !== "lamps" || this.buffer.rowStep > 1) return true;
@@ -98,12 +105,13 @@ export class Picture {
     return quantile(values, 0.99) || 1;
   }
 
-  /** The round curvature of a kind that 2 % of the body's picture exceed. */
-  usualCurvature(kind: CurvatureKind): number {
+  /** The round curvature of a look that 2 % of the body's picture exceed. */
+  usualCurvature(look: StatedLook): number {
     const { buffer } = this, sizes: number[] = [];
     for (let path = 0; buffer && path < buffer.paths; ++path) {
       const surface = buffer.surfaceOf(path);
-      if (surface.face > 0 && !surface.isPoint) sizes.push(Math.abs(curvatureOf(kind, surface)));
+      const curvature = surface.face > 0 ? curvatureOf(look, surface) : NaN;
+      if (!Number.isNaN(curvature)) sizes.push(Math.abs(curvature));
     }
     const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
     return Number((power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
@@ -147,9 +155,9 @@ export class Picture {
     const { buffer } = this, path = this.pathAt(x, y);
     if (!buffer || path < 0) return null;
     const { t, normal, face, principal: [k1, k2] } = buffer.surfaceOf(path);
-    const { origin, direction } = rayOf(buffer.camera, x + 0.5, y + 0.5);
+    const pixel: [number, number] = [x + 0.5, y + 0.5], { origin, direction } = rayOf(buffer.camera, ...pixel);
     return {
-      place: sum(origin, scaled(direction, t)), rounding: t * 2 ** -24, normal: [...normal] as Vector, radii: [1 / k1, 1 / k2], face,
+      camera: buffer.camera, pixel, place: sum(origin, scaled(direction, t)), normal: [...normal] as Vector, radii: [1 / k1, 1 / k2], face,
     };
   }
 
@@ -163,7 +171,7 @@ export class Picture {
   private drawLamps({ planes, white }: Display, buffer: SurfaceBuffer): void {
     this.lamps.set(buffer, planes);
     this.lamps.update();
-    const shown = `lamps ${white}`;
+    const shown = `lamps ${white} ${buffer.rowStep}`; // rows that come later were shown by those above
     if (this.shown === shown && this.shownBuffer === buffer) return this.writeChanged(white);
     this.shown = shown, this.shownBuffer = buffer;
     const { words } = this, [r, g, b] = this.facts.background.map((light) => byteOf(light / white));

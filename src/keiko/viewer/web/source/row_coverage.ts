@@ -32,6 +32,15 @@ export class RowCoverage {
     this.covered.fill(0);
   }
 
+  /** Makes all images anew from where the row is: rounding no longer tells that it was dragged. False if it was not. */
+  renew(): boolean {
+    if (this.du === 0 && this.dv === 0) return false;
+    this.base = this.row, this.projected = this.metCount = this.du = this.dv = 0;
+    this.until.fill(0);
+    this.isCurrent = false;
+    return true;
+  }
+
   /** Takes the row as it is now. One that moved in its plane, or has other lamps, needs no new images. */
   set(row: RowFrame): void {
     if (!row.hasPlaneOf(this.base) || row.isRound !== this.base.isRound) this.base = row, this.projected = this.metCount = 0;

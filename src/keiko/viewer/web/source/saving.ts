@@ -1,14 +1,15 @@
 import { Facts } from "./facts";
 import { showDialog } from "./help";
 import { linkOf, ViewState } from "./link";
-import { wordOf } from "./look_words";
+import { directionWord, wordOf } from "./look_words";
 import { download } from "./panel";
 import { Display } from "./picture";
 
 /** Hands out a picture, and tells which command makes it. */
 export function savePicture(picture: Blob, facts: Facts, display: Display, { width, height }: { width: number; height: number }): void {
   download("picture.png", picture);
-  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}`;
+  const section = display.look === "curvature" && display.kind === "section" ? ` --section ${directionWord(display.across)}` : "";
+  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}${section}`;
   const command = `keiko render ${facts.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
   showDialog("Picture", [
     ["file", "picture.png, in your downloads"],

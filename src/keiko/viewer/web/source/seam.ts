@@ -26,9 +26,9 @@ export interface Seam {
 interface Continuity { label: string; name: string; mending: string; of: (seam: Seam) => Measured | null; unit: string; shown: number }
 
 const continuities: Continuity[] = [
-  { label: "G0", name: "gap", mending: "position", of: (seam) => seam.gap, unit: " mm", shown: 1 },
+  { label: "G0", name: "gap", mending: "position", of: (seam) => seam.gap, unit: "\u00a0mm", shown: 1 },
   { label: "G1", name: "angle", mending: "tangent", of: (seam) => seam.angle, unit: "°", shown: 1 },
-  { label: "G2", name: "curvature mismatch", mending: "curvature", of: (seam) => seam.curvature, unit: " %", shown: 100 },
+  { label: "G2", name: "curvature mismatch", mending: "curvature", of: (seam) => seam.curvature, unit: "\u00a0%", shown: 100 },
   { label: "G3", name: "slope of curvature", mending: "curvature", of: (seam) => seam.curvature_slope, unit: "°", shown: 1 },
   { label: "run-out", name: "step where the crease fades", mending: "tangent", of: (seam) => seam.fading, unit: "°/mm", shown: 1 },
 ];

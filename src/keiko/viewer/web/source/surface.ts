@@ -44,6 +44,14 @@ export class Surface {
     return [this.mean + spread, this.mean - spread];
   }
 
+  /** Curvature, 1/mm, of the normal section along a plane with a unit normal; NaN where the plane touches the surface. */
+  along(plane: ArrayLike<number>): number {
+    const { normal: n, x, y } = this, touching = 1e-6; // sine of the angle between the normals
+    const a = plane[1] * n[2] - plane[2] * n[1], b = plane[2] * n[0] - plane[0] * n[2], c = plane[0] * n[1] - plane[1] * n[0];
+    const p = a * x[0] + b * x[1] + c * x[2], q = a * y[0] + b * y[1] + c * y[2], squared = p * p + q * q;
+    return squared > touching * touching ? (this.xx * p * p + 2 * this.xy * p * q + this.yy * q * q) / squared : NaN;
+  }
+
   /** Writes the change of the normal along a step, which is three numbers of a ray from a place on. */
   turn(ray: Float64Array, at: number, change: Float64Array): void {
     const { x, y } = this;

@@ -1,6 +1,7 @@
 import { fetchAnalysis, Note, OpenedAnalysis } from "./analysis";
 import { AnalysisHost, AnalysisPanel } from "./analysis_panel";
 import { Camera, lookingAt, sized } from "./camera";
+import { CompareHost, Comparison } from "./compare";
 import { Pictured } from "./exact_picture";
 import { Facts, Plane } from "./facts";
 import { Gizmo } from "./gizmo";
@@ -9,13 +10,13 @@ import { LampRows, RowsHost } from "./lamp_rows";
 import { showLamps } from "./lamps_panel";
 import { keepInAddress, stateOfAddress, ViewState } from "./link";
 import { LivePicture, PicturedHost } from "./live_picture";
-import { lookOf, StatedLook } from "./look_words";
+import { firstLook, lookOf, StatedLook } from "./look_words";
 import { Marks } from "./marks";
 import { mouseHelp, MouseStyle, mouseStyles } from "./mouse";
 import { namedViews, PageHost, showLooks, showPanel } from "./page_panel";
 import { byId } from "./panel";
-import { showPlace } from "./pick_panel";
-import { Display, Look, Picked } from "./picture";
+import { PickHost, PickPanel } from "./pick_panel";
+import { Display, Look } from "./picture";
 import { Pointer } from "./pointer";
 import { copyLink, savePicture } from "./saving";
 import { SeamsHost, SeamsPanel } from "./seams";
@@ -25,17 +26,18 @@ import { Tree } from "./tree";
 import { difference, length, Vector } from "./vector";
 
 /** The page: one scene, the eye, the lamps and the look, and the parts that show and change them. */
-export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, SeamsHost {
+export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, PicturedHost, RowsHost, SeamsHost {
   readonly lamps: LampRows;
   private eye: Camera;
   private left: number[] = []; // faces that are not shown
-  private stated: StatedLook = { look: "lamps", kind: "mean" };
+  private stated = firstLook;
   private mouse: MouseStyle;
-  private picked: Picked | null = null; // last, for the distance to the next
   private readonly picture: LivePicture;
   private readonly gizmo: Gizmo;
   private readonly section: SectionPanel;
+  private readonly places: PickPanel;
   private readonly seams: SeamsPanel;
+  private readonly comparison: Comparison;
   private readonly tree: Tree;
   private readonly marks: Marks;
   private readonly analysis: AnalysisPanel;
@@ -48,6 +50,8 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, S
     const { canvas } = this.picture;
     this.gizmo = new Gizmo(canvas.parentElement!, (move, amount, isOver) => this.lamps.move(move, amount, isOver));
     this.section = new SectionPanel(byId("section"), this, canvas);
+    this.places = new PickPanel(this);
+    this.comparison = new Comparison(byId("compare"), this, canvas);
     this.seams = new SeamsPanel(byId("seams"), this, canvas);
     this.tree = new Tree(byId("tree"), this);
     this.marks = new Marks(canvas, () => this.eye);
@@ -60,7 +64,7 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, S
     if (linked) this.restore(linked);
     else if (analysis) this.analysis.take(analysis);
     this.showLooks();
-    showPanel(this, canvas);
+    showPanel(this);
     new Pointer(canvas, this);
     listenToKeys(canvas, this);
     window.onresize = () => this.picture.fit(this.eye);
@@ -75,7 +79,8 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, S
   style(): MouseStyle { return this.mouse; }
   display(): Display { return this.picture.display(); }
   sight(): Sight | null { return this.picture.sight(); }
-  pictured(): Pictured { return { camera: this.eye, planes: this.lamps.all, hidden: this.left }; }
+  pictured(): Pictured { return { camera: this.eye, planes: this.lamps.all, hidden: this.left, ev: null }; }
+  isCompared(): boolean { return this.comparison.isShown; }
   rowAt(x: number, y: number): number { return this.picture.rowAt(x, y, this.lamps.all); }
   mirroredOn(x: number, y: number, plane: Plane): Vector | null { return this.picture.mirroredOn(x, y, plane); }
 
@@ -145,8 +150,7 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, S
 
   pick(x: number, y: number): void {
     const picked = this.picture.pick(x, y);
-    showPlace(picked, this.picked, this.facts, (note: Note) => this.analysis.addNote(note));
-    this.picked = picked ?? this.picked;
+    this.places.show(picked);
     const seam = picked && this.seams.pick(x, y);
     if (seam) this.mark(picked.place, seam.course);
     else this.marks.move(picked && picked.place);
@@ -154,6 +158,10 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, S
 
   mark(place: Vector, stretch: Vector[][] = []): void {
     this.marks.show(place, stretch);
+  }
+
+  addNote(note: Note): void {
+    this.analysis.addNote(note);
   }
 
   hide(faces: number[]): void {
@@ -174,7 +182,7 @@ export class Viewer implements PageHost, AnalysisHost, PicturedHost, RowsHost, S
   }
 
   private showLooks(): void {
-    showLooks(this.stated, (look) => this.choose(look));
+    showLooks(this.stated, this.lamps.row, (look) => this.choose(look));
   }
 
   views(): { name: string; show: () => void }[] {
