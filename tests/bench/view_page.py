@@ -46,8 +46,9 @@ class Page:
         driver.execute_script(COLLECT)
 
     def wait(self):
+        """Waits for the exact picture: nothing is drawn after it."""
         end = time.monotonic() + 120
-        while "surfaces in" not in (state := self.driver.find_element(By.ID, "state").text) and "exact" not in state:
+        while "exact" not in (state := self.driver.find_element(By.ID, "state").text):
             if time.monotonic() > end:
                 raise RuntimeError(f"the page says: {state}")
             time.sleep(0.1)
@@ -81,7 +82,7 @@ class Page:
         if key:
             actions.key_up(key)
         actions.perform()
-        time.sleep(3)
+        self.wait()
 
 
 def bench(keiko: str, scene: Path, size: str):
