@@ -610,7 +610,7 @@ class Panel(Page):
         self.open(surface("seam-g1-angle.step"))
         self.press("judge")
         self.wait_for(lambda: "seams=shown" in self.browser.current_url)
-        red = ("const c = document.getElementById('seam-lines'), d = c.width && c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+        red = ("const c = document.getElementById('seam-lines'), d = (c?.width ?? 0) && c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
                "let n = 0; for (let i = 0; i < d.length; i += 4) n += d[i] > 200 && d[i + 1] < 100 && d[i + 3] > 200; return n;")
         self.wait_for(lambda: self.browser.execute_script(red) > 100)
         self.assertIn("G1", self.text("seams"))

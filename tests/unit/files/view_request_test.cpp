@@ -111,6 +111,20 @@ TEST(WithPlanes, ReplacesRowsAndLeavesOtherLights) {
     EXPECT_EQ(lamps_of(fewer.sources[0]), 10);
 }
 
+TEST(ViewRequest, MayNameAPixelAndAnExposure) {
+    EXPECT_FALSE(parse_view_request("").pixel);
+    EXPECT_FALSE(parse_view_request("").ev);
+    const ViewRequest wanted = parse_view_request("pixel = [3.5, 7]\nev = -2.5");
+    ASSERT_TRUE(wanted.pixel && wanted.ev);
+    EXPECT_EQ(wanted.pixel->x, 3.5);
+    EXPECT_EQ(wanted.pixel->y, 7);
+    EXPECT_EQ(*wanted.ev, -2.5);
+    for (const char* wrong : {"pixel = [1]", "pixel = [1, -1]", "pixel = [1, nan]", "pixel = 3"})
+        expect_refused(wrong, "pixel");
+    for (const char* wrong : {"ev = 101", "ev = -inf", "ev = \"auto\""})
+        expect_refused(wrong, "ev");
+}
+
 TEST(ViewRequest, HidesFacesByWholeNumbersInAnyOrder) {
     EXPECT_TRUE(parse_view_request("").hidden.empty());
     EXPECT_EQ(parse_view_request("hidden = [7, 3]").hidden, (std::vector<std::uint32_t>{3, 7}));
