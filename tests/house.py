@@ -62,7 +62,8 @@ CHAMBERS = {
     },
     "light": {
         "luminance": set(),
-        "tubes": {"luminance"},
+        "penumbra": {"luminance"},
+        "tubes": {"penumbra"},
         "spotlight": {"luminance"},
         "fog": {"luminance"},
         "rig": {"tubes", "spotlight", "fog"},

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "keiko/geometry/rays/visibility.h"
+#include "keiko/light/penumbra/source_width.h"
 #include "keiko/light/tubes/cylinder_irradiance.h"
 #include "keiko/light/tubes/tube_lamp.h"
 
@@ -16,16 +16,8 @@ enum class TubeShape {
     rectangle ///< as wide as the diameter, at right angles to the direction to the point
 };
 
-/// A line of a lamp parallel to its axis: the cut of its near side with the half-plane at the wedge
-/// angle psi, through the line parallel to the axis through the point.
-struct SubAxis {
-    double cosine = 1, sine = 0; ///< of psi
-    double r = 0;                ///< mm, from the point
-    double weight = 0;           ///< d psi by the place across
-};
-
-/// The width of a lamp viewed from a point: places from -1 to 1, sideways.
-class LampWidth {
+/// The width of a lamp viewed from a point: the lines are parallel to its axis.
+class LampWidth final : public SourceWidth {
 public:
     /// `hiding`: other tubes, of the lamp's radius and ends, that may hide some of it; a reference
     /// is kept.
@@ -34,11 +26,11 @@ public:
         : view_(view), point_(point), shape_(shape), hiding_(hiding) {}
 
     /// Line at a place from -1 to 1. On a cylinder the place times pi / 2 is the angle around it.
-    SubAxis sub_axis(double place) const {
+    SubAxis sub_axis(double place) const override {
         return shape_ == TubeShape::cylinder ? on_tube(place) : on_rectangle(place);
     }
     /// Ends of a line in mm, in the order of the lamp's: as long as the axis and parallel to it.
-    Segment line_of(const SubAxis& axis) const;
+    Segment line_of(const SubAxis& axis) const override;
     /// True if all of the axis is visible through the middle line: the point is between the lamp's
     /// ends, so that only the tube itself lies between.
     bool middle_tells_axis() const;
@@ -46,12 +38,11 @@ public:
     IntervalSet of_axis(const IntervalSet& middle) const;
     /// Projected solid angle, by the wedge angle, of a part of a sub-axis from t = `begin` to
     /// `end`, without the parts that other tubes hide.
-    double lit(const SubAxis& axis, double begin, double end) const;
+    double lit(const SubAxis& axis, double begin, double end) const override;
     /// Places from -1 to 1, with those at which another tube begins or ends to hide some.
-    std::vector<double> cuts() const;
-    /// Place in a direction from the point, at right angles to the lamp; beyond [-1, 1] it is
-    /// beside the lamp.
-    double place_in(const Vec3& way) const;
+    std::vector<double> cuts() const override;
+    /// Place in a direction from the point, at right angles to the lamp.
+    double place_in(const Vec3& way) const override;
 
 private:
     double place_of(double psi) const;

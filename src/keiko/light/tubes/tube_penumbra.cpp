@@ -1,9 +1,8 @@
 #include "keiko/light/tubes/tube_penumbra.h"
 
-#include "keiko/light/tubes/width_samples.h"
+#include "keiko/light/penumbra/width_share.h"
 #include "keiko/math/axes.h"
 
-#include <algorithm>
 #include <optional>
 
 namespace keiko {
@@ -39,80 +38,39 @@ LightVisibility seen_end_on(const TubeLamp& lamp, const Visibility& visible) {
     return {axis, axis.empty() ? 0.0 : 1.0};
 }
 
-/// A lamp that may be partly hidden, with the nodes that are queried first.
+/// A lamp that may be partly hidden, with the lines that are queried first. References are kept.
 class PartlySeen {
 public:
     PartlySeen(const TubeLamp& lamp, const LampWidth& width, const PenumbraOptions& options)
         : axis_{lamp.a, lamp.b},
           width_(width),
-          options_(options),
-          parts_(parts_of(width)),
-          middle_tells_(parts_.size() == 1 && parts_[0].at[Slices::middle].all > 0 &&
-                        width.middle_tells_axis()) {}
+          axes_(options.axes),
+          share_(width, {options.tolerance, options.widest_spacing, options.between_lines}),
+          middle_tells_(share_.parts().size() == 1 &&
+                        share_.parts()[0].at[Slices::middle].all > 0 && width.middle_tells_axis()) {
+    }
 
     void add_lines(std::vector<Segment>& lines) const {
-        if (options_.axes && !middle_tells_) lines.push_back(axis_);
-        add_ends_and_middles(width_, parts_, lines);
+        if (axes_ && !middle_tells_) lines.push_back(axis_);
+        share_.add_lines(width_, lines);
     }
     /// Visibility of the lamp from that of those lines, from `next` on.
     LightVisibility seen(const Visibility& visible,
                          std::vector<IntervalSet>::const_iterator& next) {
         LightVisibility seen;
-        if (options_.axes && !middle_tells_) seen.axis = *next++;
-        hide_parts(next);
-        if (options_.axes && middle_tells_) seen.axis = width_.of_axis(*parts_[0].seen[1]);
-        if (options_.between_lines) look_between(visible);
-        SolidAngle sums;
-        for (const Slices& part : parts_) sums += integrate(width_, visible, part, rule_of(part));
-        seen.share = sums.visible_share();
+        if (axes_ && !middle_tells_) seen.axis = *next++;
+        share_.hide_lines(width_, next);
+        if (axes_ && middle_tells_) seen.axis = width_.of_axis(*share_.parts()[0].seen[1]);
+        seen.share = share_.visible_share(width_, visible);
         return seen;
     }
 
 private:
-    void hide_parts(std::vector<IntervalSet>::const_iterator& next) {
-        hide_ends_and_middles(width_, options_.between_lines, parts_, next);
-        brightest_ = 0;
-        for (const Slices& part : parts_) brightest_ = std::max(brightest_, part.brightest());
-    }
-    SliceRule rule_of(const Slices& part) const {
-        constexpr int most_halvings = 14;
-        const double error = options_.tolerance * 2 * brightest_ * part.half;
-        return {error, options_.widest_spacing, options_.between_lines, most_halvings};
-    }
-    bool agree() const {
-        return parts_.size() == 1 && ends_and_middle_agree(parts_[0], rule_of(parts_[0]));
-    }
-    /// Cuts the width at turns of outlines, as often as necessary for at most the tolerance to be
-    /// missed between lines.
-    void look_between(const Visibility& visible) {
-        const double spacing = options_.widest_spacing / 2, allowed = options_.tolerance;
-        const auto line = [&](double place) { return width_.line_of(width_.sub_axis(place)); };
-        const Prism lines{line(-1), line(0), line(0), line(1)};
-        const std::vector<CriticalSlice> found = visible.turns(lines, {spacing, allowed / 2});
-        if (found.empty()) return;
-        const std::vector<WidthCut> cuts =
-            PenumbraBreakpoints(width_, found, spacing).cuts(allowed, agree());
-        if (!cuts.empty()) cut_at(cuts, visible);
-    }
-    /// Cuts the width; the visibility of both ends is known.
-    void cut_at(std::span<const WidthCut> cuts, const Visibility& visible) {
-        std::vector<Slices> parts = parts_of(width_, cuts);
-        if (parts.front().begin() == -1) parts.front().seen.front() = parts_.front().seen.front();
-        if (parts.back().end() == 1) parts.back().seen.back() = parts_.back().seen.back();
-        parts_ = std::move(parts);
-        std::vector<Segment> lines;
-        add_ends_and_middles(width_, parts_, lines);
-        const std::vector<IntervalSet> seen = visible.intervals(lines);
-        auto next = seen.begin();
-        hide_parts(next);
-    }
-
     Segment axis_;
-    LampWidth width_;
-    PenumbraOptions options_;
-    std::vector<Slices> parts_;
+    const LampWidth& width_;
+    bool axes_;
+    WidthShare share_;
     bool middle_tells_; ///< visibility of the middle line determines that of the axis
-    double brightest_ = 0;
 };
 
 } // namespace
@@ -124,6 +82,8 @@ std::vector<LightVisibility> seen_tubes(std::span<const TubeLamp> row, const Vec
     const std::vector<std::optional<bool>> wholes = visible.classify_prisms(boxes_around(row));
     std::vector<LightVisibility> seen(row.size(), LightVisibility{{}, 0, 0});
     std::vector<PartlySeen> parts;
+    std::vector<LampWidth> widths; // that the parts refer to
+    widths.reserve(row.size());
     std::vector<std::size_t> lamp_of;
     for (std::size_t i = 0; i < row.size(); ++i) {
         if (wholes[i]) {
@@ -138,7 +98,8 @@ std::vector<LightVisibility> seen_tubes(std::span<const TubeLamp> row, const Vec
         const std::span<const OccludingTube> others =
             hiding.empty() ? std::span<const OccludingTube>() : hiding[i];
         lamp_of.push_back(i);
-        parts.emplace_back(row[i], LampWidth(*view, point, options.shape, others), options);
+        widths.emplace_back(*view, point, options.shape, others);
+        parts.emplace_back(row[i], widths.back(), options);
     }
     std::vector<Segment> lines;
     for (const PartlySeen& part : parts) part.add_lines(lines);

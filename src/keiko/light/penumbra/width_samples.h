@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/rays/visibility.h"
-#include "keiko/light/tubes/lamp_width.h"
+#include "keiko/light/penumbra/source_width.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace keiko {
 
-/// A slice of a lamp through one line along it: solid angle by its wedge angle, and the hidden part
-/// of it.
+/// A slice of a source through one line along it: solid angle by its wedge angle, and the hidden
+/// part of it.
 struct Slice {
     double all = 0;    ///< without occlusion, sr per radian of the wedge angle
     double hidden = 0; ///< of all, in its unit
@@ -21,7 +21,7 @@ struct Slice {
     double share() const { return hidden / all; }
 };
 
-/// Slices of a part of a lamp's width, at the nodes of nested rules: Gauss's of 1 and 3 and
+/// Slices of a part of a source's width, at the nodes of nested rules: Gauss's of 1 and 3 and
 /// Kronrod's of 7. They include both ends, which have no weight, but show what lies beyond the last
 /// node.
 struct Slices {
@@ -59,12 +59,13 @@ struct WidthCut {
 
 /// The parts of a width between its own cuts and others, before any query. They end and begin just
 /// beside the others, since the visible part on those is undefined.
-std::vector<Slices> parts_of(const LampWidth& width, std::span<const WidthCut> cuts = {});
+std::vector<Slices> parts_of(const SourceWidth& width, std::span<const WidthCut> cuts = {});
 
 /// Sets the hidden part of a node's slice by the visible part of its line.
-void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& seen, Slices& slices);
+void hide_slice(const SourceWidth& width, std::size_t node, const IntervalSet& seen,
+                Slices& slices);
 
-/// Solid angle of a lamp, or of a part of it.
+/// Solid angle of a source, or of a part of it.
 struct SolidAngle {
     double all = 0;    ///< projected solid angle without occlusion, sr
     double hidden = 0; ///< hidden part of it, sr
@@ -95,30 +96,30 @@ bool ends_and_middle_agree(const Slices& slices, const SliceRule& until);
 /// Integral over the part of `slices`, whose ends and middle are known. It uses more nodes, then
 /// halves, until nodes are near enough and two rules agree on the hidden part, and the ends agree
 /// with the nodes next to them.
-SolidAngle integrate(const LampWidth& width, const Visibility& visible, Slices slices,
+SolidAngle integrate(const SourceWidth& width, const Visibility& visible, Slices slices,
                      const SliceRule& until);
 
 /// Appends the lines of the ends and the middles of parts that must be queried: those of slices
 /// that light anything and whose visible part is unknown.
-void add_ends_and_middles(const LampWidth& width, std::span<const Slices> parts,
+void add_ends_and_middles(const SourceWidth& width, std::span<const Slices> parts,
                           std::vector<Segment>& lines);
 /// Sets the hidden parts by the visible parts of those lines, from `next` on; of each visible part
 /// by itself if `part_by_part`.
-void hide_ends_and_middles(const LampWidth& width, bool part_by_part, std::span<Slices> parts,
+void hide_ends_and_middles(const SourceWidth& width, bool part_by_part, std::span<Slices> parts,
                            std::vector<IntervalSet>::const_iterator& next);
 
-/// Places across a lamp's width where the visible part of its lines may jump or kink, and the part
-/// that lines may miss of that.
+/// Places across a source's width where the visible part of its lines may jump or kink, and the
+/// part that lines may miss of that.
 class PenumbraBreakpoints {
 public:
     /// `spacing`: the one for which the turns were weighed, of the whole width.
-    PenumbraBreakpoints(const LampWidth& width, std::span<const CriticalSlice> turns,
+    PenumbraBreakpoints(const SourceWidth& width, std::span<const CriticalSlice> turns,
                         double spacing);
 
     /// Places, sorted. If both ends and the middle of each part between two of them agree, they
-    /// miss at most `allowed` of the lamp together. Every jump of more than that is among them. If
-    /// both ends and the middle of the whole `agree`, for which no cut may be needed, the threshold
-    /// is four times as large.
+    /// miss at most `allowed` of the source together. Every jump of more than that is among them.
+    /// If both ends and the middle of the whole `agree`, for which no cut may be needed, the
+    /// threshold is four times as large.
     std::vector<WidthCut> cuts(double allowed, bool agree) const;
 
 private:

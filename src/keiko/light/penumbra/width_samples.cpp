@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/width_samples.h"
+#include "keiko/light/penumbra/width_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ constexpr std::array<std::size_t, 2> of_gauss_alone{2, 6};
 constexpr std::array<std::size_t, 4> of_kronrod_alone{1, 3, 5, 7};
 
 /// Computes the light of the slices of some nodes.
-void light_slices(const LampWidth& width, std::span<const std::size_t> nodes_of, Slices& slices) {
+void light_slices(const SourceWidth& width, std::span<const std::size_t> nodes_of, Slices& slices) {
     for (const std::size_t i : nodes_of) {
         slices.axes[i] = width.sub_axis(slices.center + slices.half * nodes[i]);
         slices.at[i] = {width.lit(slices.axes[i], 0, 1)};
@@ -40,7 +40,7 @@ void light_slices(const LampWidth& width, std::span<const std::size_t> nodes_of,
 }
 
 /// A part of the width before any query.
-Slices part_of(const LampWidth& width, double center, double half) {
+Slices part_of(const SourceWidth& width, double center, double half) {
     Slices part{center, half};
     light_slices(width, of_gauss, part);
     return part;
@@ -105,7 +105,7 @@ bool all_above(const Slices& slices) {
 /// halves.
 class WidthIntegral {
 public:
-    WidthIntegral(const LampWidth& width, const Visibility& visible, const SliceRule& until)
+    WidthIntegral(const SourceWidth& width, const Visibility& visible, const SliceRule& until)
         : width_(width),
           visible_(visible),
           widest_spacing_(until.widest_spacing),
@@ -163,7 +163,7 @@ private:
         return both;
     }
 
-    const LampWidth& width_;
+    const SourceWidth& width_;
     const Visibility& visible_;
     double widest_spacing_;
     bool part_by_part_;
@@ -177,7 +177,7 @@ double Slices::brightest() const {
     return most;
 }
 
-std::vector<Slices> parts_of(const LampWidth& width, std::span<const WidthCut> cuts) {
+std::vector<Slices> parts_of(const SourceWidth& width, std::span<const WidthCut> cuts) {
     constexpr double beside = 2e-6;
     struct Border {
         double end, begin; ///< of the parts on both sides
@@ -202,7 +202,8 @@ std::vector<Slices> parts_of(const LampWidth& width, std::span<const WidthCut> c
     return parts;
 }
 
-void hide_slice(const LampWidth& width, std::size_t node, const IntervalSet& seen, Slices& slices) {
+void hide_slice(const SourceWidth& width, std::size_t node, const IntervalSet& seen,
+                Slices& slices) {
     for (const ParameterInterval& dark : seen.complement())
         slices.at[node].hidden += width.lit(slices.axes[node], dark.begin, dark.end);
 }
@@ -212,7 +213,7 @@ bool ends_and_middle_agree(const Slices& slices, const SliceRule& until) {
            missed_by_middle(slices) * weighed(slices, gauss).all <= until.error;
 }
 
-SolidAngle integrate(const LampWidth& width, const Visibility& visible, Slices slices,
+SolidAngle integrate(const SourceWidth& width, const Visibility& visible, Slices slices,
                      const SliceRule& until) {
     return WidthIntegral(width, visible, until)
         .over(std::move(slices), until.error, until.most_halvings);
@@ -221,7 +222,7 @@ SolidAngle integrate(const LampWidth& width, const Visibility& visible, Slices s
 namespace {
 
 /// Begins and ends of the visible parts of a slice, in turn: shares of its light on one side.
-std::vector<double> seen_ends(const LampWidth& width, const SubAxis& axis, double all,
+std::vector<double> seen_ends(const SourceWidth& width, const SubAxis& axis, double all,
                               const IntervalSet& seen) {
     std::vector<double> ends;
     for (const ParameterInterval& part : seen)
@@ -232,7 +233,7 @@ std::vector<double> seen_ends(const LampWidth& width, const SubAxis& axis, doubl
 
 /// Deviation of the ends of the middle's visible parts from the lines through those of the ends; 1,
 /// all of it, if these do not have as many parts.
-double parts_off(const LampWidth& width, const Slices& slices) {
+double parts_off(const SourceWidth& width, const Slices& slices) {
     std::array<std::vector<double>, 3> ends;
     for (std::size_t k = 0; k < ends.size(); ++k) {
         const std::size_t node = Slices::ends_and_middle[k];
@@ -253,7 +254,7 @@ bool is_asked(const Slices& slices, std::size_t k) {
 
 } // namespace
 
-void add_ends_and_middles(const LampWidth& width, std::span<const Slices> parts,
+void add_ends_and_middles(const SourceWidth& width, std::span<const Slices> parts,
                           std::vector<Segment>& lines) {
     for (const Slices& part : parts)
         for (std::size_t k = 0; k < part.seen.size(); ++k)
@@ -261,7 +262,7 @@ void add_ends_and_middles(const LampWidth& width, std::span<const Slices> parts,
                 lines.push_back(width.line_of(part.axes[Slices::ends_and_middle[k]]));
 }
 
-void hide_ends_and_middles(const LampWidth& width, bool part_by_part, std::span<Slices> parts,
+void hide_ends_and_middles(const SourceWidth& width, bool part_by_part, std::span<Slices> parts,
                            std::vector<IntervalSet>::const_iterator& next) {
     const Slices* last = nullptr;
     for (Slices& part : parts) {

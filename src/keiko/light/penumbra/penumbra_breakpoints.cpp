@@ -1,4 +1,4 @@
-#include "keiko/light/tubes/width_samples.h"
+#include "keiko/light/penumbra/width_samples.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,7 @@ double missed_of(const Turns& turns) {
 
 } // namespace
 
-PenumbraBreakpoints::PenumbraBreakpoints(const LampWidth& width,
+PenumbraBreakpoints::PenumbraBreakpoints(const SourceWidth& width,
                                          std::span<const CriticalSlice> turns, double spacing)
     : spacing_(spacing) {
     for (const CriticalSlice& turn : turns)

@@ -1,4 +1,5 @@
-#include "keiko/light/tubes/width_samples.h"
+#include "keiko/light/penumbra/width_samples.h"
+#include "keiko/light/tubes/lamp_width.h"
 
 #include <gtest/gtest.h>
 
