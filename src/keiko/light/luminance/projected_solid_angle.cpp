@@ -106,12 +106,21 @@ Vec3 any_across(const Vec3& axis) {
     return (beside - axis * axis.dot(beside)).normalized();
 }
 
+/// Unit vector across the axis of a disc in the direction of `level`, `aside` long. The rounding of
+/// a place `far` away may leave a short one aslant, and that of a place on the axis anything.
+Vec3 outwards_of(const Vec3& level, double aside, const Vec3& axis, double far) {
+    constexpr double certain = 1e-7, nothing = 1e-14;
+    if (aside > certain * far) return level / aside;
+    const Vec3 straight = level - axis * axis.dot(level);
+    return straight.length() > nothing * far ? straight.normalized() : any_across(axis);
+}
+
 Rim rim_of(const Disc& disc, const Vec3& point, const Vec3& normal) {
     Rim rim;
     rim.center = disc.center - point;
     const Vec3 level = rim.center - disc.normal * disc.normal.dot(rim.center);
     const double aside = level.length();
-    const Vec3 outwards = aside > 0 ? level / aside : any_across(disc.normal);
+    const Vec3 outwards = outwards_of(level, aside, disc.normal, rim.center.length());
     rim.x = outwards * disc.radius;
     rim.y = disc.normal.cross(outwards) * disc.radius;
     const double height2 = rim.center.length2() - aside * aside, r = disc.radius;

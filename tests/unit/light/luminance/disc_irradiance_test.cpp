@@ -48,6 +48,22 @@ TEST(DiscIrradiance, HasTheClosedFormOfACoaxialDisc) {
     }
 }
 
+/// On the axis of a disc aslant the direction to its middle is all rounding.
+TEST(DiscIrradiance, IsThatOfAPolygonFromItsOwnAxis) {
+    std::mt19937 random(12);
+    std::normal_distribution<double> any;
+    const auto direction = [&] { return Vec3(any(random), any(random), any(random)).normalized(); };
+    int cut = 0;
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 axis = direction(), normal = direction();
+        const Disc disc{axis * 0.8, axis, 1};
+        cut += std::abs(normal.dot(axis)) < 0.7;
+        EXPECT_NEAR(projected_solid_angle(disc, Vec3(0), normal), by_polygon(disc, Vec3(0), normal),
+                    4e-6);
+    }
+    EXPECT_GT(cut, 50);
+}
+
 TEST(DiscIrradiance, PartsOfTheSkyAddUpWhereTheHorizonCuts) {
     // Seen from a point, opposite normals share the disc between them; along the cut both count.
     const Disc disc{{0.01, 0.02, 0.8}, {0, 0, 1}, 1};
