@@ -64,9 +64,10 @@ CHAMBERS = {
         "luminance": set(),
         "penumbra": {"luminance"},
         "tubes": {"penumbra"},
+        "areas": {"penumbra"},
         "spotlight": {"luminance"},
         "fog": {"luminance"},
-        "rig": {"tubes", "spotlight", "fog"},
+        "rig": {"tubes", "areas", "spotlight", "fog"},
     },
     "files": {
         "toml": set(),

@@ -1,5 +1,6 @@
 #include "keiko/render/tiles.h"
 
+#include "keiko/light/rig/rig_areas.h"
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/scene/camera.h"
 
@@ -112,7 +113,11 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height) {
 
 PictureRays::PictureRays(const PictureScene& scene, const Camera& seen_by) : camera(seen_by) {
     // In a medium, rays that miss the scene show it too.
-    if (!scene.rig.medium) cover.emplace(seen_by, scene.tracer.boxes());
+    if (scene.rig.medium) return;
+    const std::span<const Box3> surfaces = scene.tracer.boxes();
+    std::vector<Box3> boxes = RigAreas(scene.rig).boxes();
+    boxes.insert(boxes.end(), surfaces.begin(), surfaces.end());
+    cover.emplace(seen_by, boxes);
 }
 
 TileRays grid_of(const PictureRays& eye, const Tile& tile) {

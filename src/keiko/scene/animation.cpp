@@ -65,6 +65,8 @@ std::string fault_of_keys(const MovingNumbers& numbers, const Animation& animati
 
 struct Check {
     void operator()(const CPlane&) const {}
+    template <AreaLight Light>
+    void operator()(const Light&) const {}
     template <class Lamp>
     void operator()(const Lamp& lamp) const {
         if (lamp.aim == lamp.position) throw Error("", "animation", "a lamp is in its aim");

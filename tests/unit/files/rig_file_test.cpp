@@ -295,12 +295,12 @@ TEST(RigFile, WhatIsMissingOrContradictsIsNamed) {
               "polynomial, table (did you mean 'soft'?)");
     EXPECT_EQ(rig_error(head),
               "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
-              "nor [[luminaire]] nor [sun]");
+              "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [sun]");
 }
 
 TEST(RigFile, WhatIsNotSupportedYetSaysSo) {
-    EXPECT_EQ(rig_error(head + whole_plane + "[[polygon]]\nluminance = 3\n"),
-              "bad.toml:6:1: polygon: is not supported yet");
+    EXPECT_EQ(rig_error(head + whole_plane + "[[point]]\nluminance = 3\n"),
+              "bad.toml:6:1: point: is not supported yet");
 }
 
 TEST(RigFile, AForeignOrBrokenFileIsRefused) {

@@ -16,9 +16,11 @@ namespace {
 const CPlane lamps{.origin = {-600, -500, 2000}, .u = {1200, 0, 0}, .v = {0, 1000, 0}, .lamps = 4};
 const Spotlight spot{.position = {0, 0, 3000}, .aim = Vec3(0), .intensity = Rgb(5000)};
 
-Scene scene_under(std::optional<LightRig> rig) {
+/// A plate; with a board, at a height of 450 mm, over half of it and far beyond.
+Scene scene_under(std::optional<LightRig> rig, bool board = false) {
     test::ModelBuilder builder;
     builder.plane({-100, -100, 0}, {200, 0, 0}, {0, 200, 0});
+    if (board) builder.plane({0, -500, 450}, {500, 0, 0}, {0, 1000, 0});
     SurfaceModel model = builder.build();
     Tracer tracer(model, {.second_derivatives = true});
     Occluders occluders(model, tracer);
@@ -69,6 +71,24 @@ double sum_of(const std::string& rows) {
 }
 
 /// Coordinates of points on a surface are often written with a few digits only.
+/// The board hides half of a panel right above the point, along the panel's middle.
+TEST(LightPoints, PanelsAndSpheresHaveColumnsAndShadows) {
+    const PolygonLight panel{
+        {{-400, -400, 900}, {-400, 400, 900}, {400, 400, 900}, {400, -400, 900}}, Rgb(2000)};
+    const SphereLight globe{{-900, 0, 700}, 200, Rgb(3000)};
+    LightRig rig;
+    rig.sources = {panel, globe};
+    const Scene scene = scene_under(rig, true);
+    const PointIlluminance lit = illuminance_at(
+        scene, *scene.rig, std::array{Ray{.origin = Vec3(0), .direction = Vec3(0, 0, 1)}}, {});
+    EXPECT_EQ(lit.columns, (std::vector<std::string>{"polygon.0", "sphere.0", "sum"}));
+    const double whole = illuminance_from(panel, {}, Vec3(0), {0, 0, 1}, Unoccluded()).g;
+    EXPECT_NEAR(lit.lux[0], whole / 2, 1e-4 * whole);
+    const double free = illuminance_from(globe, {}, Vec3(0), {0, 0, 1}, Unoccluded()).g;
+    EXPECT_NEAR(lit.lux[1], free, 1e-12 * free);
+    EXPECT_NEAR(lit.lux[2], lit.lux[0] + lit.lux[1], 1e-9);
+}
+
 TEST(LightPoints, OfASurfaceAreNotShadowedByItself) {
     const double on = sum_of(rows_for("10,20,0,0,0,1"));
     for (const char* z : {"1e-4", "-1e-4", "1e-12", "-1e-9"})

@@ -5,7 +5,7 @@
 #include "keiko/files/scene/rig_tables.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
-#include "keiko/math/bounds.h"
+#include "keiko/math/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,28 +15,15 @@ namespace keiko {
 namespace {
 
 constexpr std::string_view format = "keiko-rig/1";
-/// Share of a window's size by which its corners may miss a plane.
-constexpr double flat_enough = 1e-6;
+/// Sine of an angle to a window's plane below which the sun shines along it.
+constexpr double along_plane = 1e-6;
 
 Window window_from(const TomlTable& table, const Vec3& sun) {
-    Window window;
-    for (const auto& corner :
-         table.required("corners", table.lists("corners", TomlLimits::place()))) {
-        if (corner.size() != 3) throw table.error("corners", "must be arrays of 3 numbers");
-        window.corners.emplace_back(corner[0], corner[1], corner[2]);
-    }
+    const Window window{corners_from(table)};
     table.finish();
-    if (window.corners.size() < 3) throw table.error("corners", "must be at least 3");
-    Box3 box;
-    for (const Vec3& corner : window.corners) box.extend(corner);
-    const Vec3 normal = window_normal(window);
-    if (!(normal.length() > flat_enough * box.size() * box.size()))
-        throw table.error("corners", "enclose no area");
-    for (const Vec3& corner : window.corners)
-        if (std::abs(normal.dot(corner - window.corners.front())) >
-            flat_enough * box.size() * normal.length())
-            throw table.error("corners", "must lie in a plane");
-    if (!(std::abs(normal.dot(sun)) > flat_enough * normal.length() * sun.length()))
+    require_polygon(table, window.corners);
+    const Vec3 normal = polygon_normal(window.corners);
+    if (!(std::abs(normal.dot(sun)) > along_plane * normal.length() * sun.length()))
         throw table.error("corners", "the sun must not shine along the window");
     return window;
 }
@@ -70,6 +57,8 @@ LightRig rig_from(const TomlTable& table) {
     for (const TomlTable& t : table.tables("c_plane")) take(t, c_plane_from(t));
     for (const TomlTable& t : table.tables("spotlight")) take(t, spotlight_from(t));
     for (const TomlTable& t : table.tables("luminaire")) take(t, luminaire_from(t));
+    for (const TomlTable& t : table.tables("polygon")) take(t, polygon_light_from(t));
+    for (const TomlTable& t : table.tables("sphere")) take(t, sphere_light_from(t));
     const std::vector<TomlTable> windows = table.tables("window");
     const auto sun = table.table("sun");
     if (sun) take(*sun, sun_from(*sun, windows));
@@ -80,7 +69,7 @@ LightRig rig_from(const TomlTable& table) {
     std::sort(order.begin(), order.end());
     for (const auto& [line, source] : order) rig.sources.push_back(std::move(sources[source]));
     if (const auto fog = table.table("fog")) rig.medium = medium_from(*fog);
-    table.not_yet({"point", "line", "polygon", "sky"});
+    table.not_yet({"point", "line", "sky"});
     return rig;
 }
 
@@ -95,7 +84,7 @@ LightRig whole_rig(const TomlTable& root) {
         throw root.error(
             "",
             "the rig has no light: neither [[c_plane]] nor [[spotlight]] nor [[luminaire]] "
-            "nor [sun]");
+            "nor [[polygon]] nor [[sphere]] nor [sun]");
     return rig;
 }
 
@@ -120,12 +109,8 @@ std::string table_text(const Sun& sun) {
     text += toml_line("direction", toml_value(sun.direction), "the way the light goes");
     text += toml_line("illuminance", toml_value(sun.illuminance), "lx across the light");
     if (!sun.shaft) text += toml_line("shaft", "false");
-    for (const Window& window : sun.windows) {
-        std::string corners;
-        for (const Vec3& corner : window.corners)
-            corners += (corners.empty() ? "" : ", ") + toml_value(corner);
-        text += "\n[[window]]\n" + toml_line("corners", "[" + corners + "]", "mm");
-    }
+    for (const Window& window : sun.windows)
+        text += "\n[[window]]\n" + corners_line(window.corners);
     return text;
 }
 
@@ -136,6 +121,10 @@ struct Text {
     std::string operator()(const Spotlight& light) const { return table_text(light); }
     std::string operator()(const Luminaire& lamp) const { return table_text(lamp, folder); }
     std::string operator()(const Sun& sun) const { return table_text(sun); }
+    template <AreaLight Light>
+    std::string operator()(const Light& light) const {
+        return table_text(light);
+    }
 };
 
 bool is_sun(const LightSource& source) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/light/areas/area_lights.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/voxel_density.h"
 #include "keiko/light/spotlight/luminaire.h"
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace keiko {
 
@@ -37,6 +39,23 @@ Luminaire luminaire_from(const TomlTable& table);
 /// A [[luminaire]] that reads back as the same lamp from a rig in `folder`, which its file is named
 /// relative to.
 std::string table_text(const Luminaire& luminaire, const std::filesystem::path& folder);
+
+/// The corners of a [[polygon]] or a [[window]], mm. Throws Error with file, line and column.
+std::vector<Vec3> corners_from(const TomlTable& table);
+/// Throws Error at the corners unless they are 3 or more, in a plane, and enclose an area.
+void require_polygon(const TomlTable& table, const std::vector<Vec3>& corners);
+/// The line of corners that reads back as the same.
+std::string corners_line(const std::vector<Vec3>& corners);
+
+/// The panel of a [[polygon]]. Throws Error with file, line and column.
+PolygonLight polygon_light_from(const TomlTable& table);
+/// A [[polygon]] that reads back as the same panel.
+std::string table_text(const PolygonLight& light);
+
+/// The globe of a [[sphere]]. Throws Error with file, line and column.
+SphereLight sphere_light_from(const TomlTable& table);
+/// A [[sphere]] that reads back as the same globe.
+std::string table_text(const SphereLight& light);
 
 /// The medium of [fog]. Throws Error with file, line and column.
 Medium medium_from(const TomlTable& table);

@@ -2,6 +2,7 @@
 
 #include "keiko/light/fog/refined_integral.h"
 #include "keiko/light/fog/transmittance.h"
+#include "keiko/math/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +40,7 @@ public:
         : medium_(camera_ray.medium()),
           ray_(camera_ray.ray()),
           beam_(beam),
-          normal_(window_normal(beam.window)),
+          normal_(polygon_normal(beam.window.corners)),
           length_((ray_.b - ray_.a).length()),
           phase_(phase(medium_.phase, -(ray_.b - ray_.a).dot(beam.direction) / length_)),
           dimmed_(camera_ray) {}
@@ -91,17 +92,9 @@ private:
 
 } // namespace
 
-Vec3 window_normal(const Window& window) {
-    Vec3 sum(0);
-    const Vec3& first = window.corners.front();
-    for (std::size_t i = 1; i + 1 < window.corners.size(); ++i)
-        sum += (window.corners[i] - first).cross(window.corners[i + 1] - first);
-    return sum;
-}
-
 std::optional<double> way_from_window(const Window& window, const Vec3& direction,
                                       const Vec3& point) {
-    const Vec3 normal = window_normal(window);
+    const Vec3 normal = polygon_normal(window.corners);
     if (!(std::abs(normal.dot(direction)) > 1e-12 * normal.length())) return {};
     const double way = depth_behind(window, normal, direction, point);
     if (!(way >= 0) || !holds(window, normal, point - direction * way)) return {};
@@ -109,7 +102,7 @@ std::optional<double> way_from_window(const Window& window, const Vec3& directio
 }
 
 IntervalSet in_window_beam(const Window& window, const Vec3& direction, const Segment& segment) {
-    const Vec3 way = segment.b - segment.a, normal = window_normal(window);
+    const Vec3 way = segment.b - segment.a, normal = polygon_normal(window.corners);
     std::vector<double> ends{0, 1};
     const auto cut = [&](const Vec3& plane, const Vec3& through) {
         const double t = plane.dot(through - segment.a) / plane.dot(way);

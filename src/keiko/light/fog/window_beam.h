@@ -16,9 +16,6 @@ struct Window {
     bool operator==(const Window&) const = default;
 };
 
-/// Normal of the polygon, of any length [Sutherland1974]; requires a polygon with area.
-Vec3 window_normal(const Window& window);
-
 /// Distance, in mm, that light of a unit `direction` travels from the window to a point; nullopt if
 /// it does not come through the window.
 std::optional<double> way_from_window(const Window& window, const Vec3& direction,

@@ -39,4 +39,9 @@ inline double tube_luminance(double flux, double diameter, double length,
     return flux / (std::numbers::pi * std::numbers::pi * (d * metres(length) + caps));
 }
 
+/// Luminance in cd/m2 of a diffuse surface of `area` mm2, positive, that emits `flux` lm.
+inline double diffuse_luminance(double flux, double area) {
+    return flux / (std::numbers::pi * metres(metres(area)));
+}
+
 } // namespace keiko

@@ -1,3 +1,4 @@
+#include "keiko/light/areas/area_integral.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/surface_light.h"
@@ -8,7 +9,8 @@
 namespace keiko {
 namespace {
 
-constexpr double least_share = 1e-4; ///< of a lobe's peak
+constexpr double least_share = 1e-4;   ///< of a lobe's peak
+constexpr double picture_error = 3e-3; ///< of what a lobe reflects of a panel or a sphere
 
 /// Luminance of some lamps of a source.
 template <class Kernel>
@@ -64,6 +66,18 @@ private:
         const auto way = sun.way_to(point_);
         if (!way || seen_[0].axis.empty()) return {};
         return share * sun.illuminance * passed(point_ + sun.towards() * *way);
+    }
+
+    /// The lobe over the whole source, as bright as its visible share.
+    template <AreaLight Light>
+    Rgb from(const Light& light) const {
+        if (!(seen_[0].share > 0)) return {};
+        const auto width = width_of(light, point_, kernel_.normal());
+        if (!width) return {};
+        const double relative = quadrature_ == GlossQuadrature::number ? 1e-6 : picture_error;
+        return light.luminance * gloss_integral(*width, kernel_, relative) * seen_[0].share *
+               (medium_ ? mean_over(*width, [&](const Vec3& place) { return passed(place); })
+                        : Rgb(1));
     }
 
     Rgb passed(const Vec3& from) const {

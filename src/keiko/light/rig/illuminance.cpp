@@ -1,3 +1,5 @@
+#include "keiko/light/areas/area_integral.h"
+#include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/point_light.h"
@@ -65,6 +67,23 @@ private:
         if (!way || seen_[0].axis.empty()) return {};
         return sun.illuminance * passed(point_ + sun.towards() * *way) *
                (cosine * (coat_ ? coat_->entering(cosine) : 1));
+    }
+
+    /// Illuminance by the whole source times its visible share. The transmittance of a coat and of
+    /// the medium is that of all of it.
+    template <AreaLight Light>
+    Rgb from(const Light& light) const {
+        if (!(seen_[0].share > 0)) return {};
+        const Rgb lx =
+            light.luminance * (projected_solid_angle(light, point_, normal_) * seen_[0].share);
+        if (!coat_ && !medium_) return lx;
+        const auto width = width_of(light, point_, normal_);
+        if (!width) return {};
+        return lx * mean_over(*width, [&](const Vec3& place) {
+                   const Vec3 way = place - point_;
+                   const double cosine = normal_.dot(way) / way.length();
+                   return passed(place) * (coat_ ? coat_->entering(cosine) : 1);
+               });
     }
 
     /// Illuminance by the whole lamp times its share visible over the width. The transmittance of a

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/light/areas/area_lights.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/window_beam.h"
 #include "keiko/light/spotlight/luminaire.h"
@@ -42,7 +43,7 @@ struct Sun {
 };
 
 /// Every kind of light source a rig can hold.
-using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun>;
+using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun, PolygonLight, SphereLight>;
 
 /// All lights of a scene and the air between them. Placement writes one, every picture reads one.
 struct LightRig {

@@ -1,5 +1,6 @@
 #include "keiko/light/rig/light_visibility.h"
 
+#include "keiko/light/areas/area_penumbra.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_penumbra.h"
@@ -9,11 +10,11 @@
 namespace keiko {
 namespace {
 
-/// Error allowed in the penumbrae of a lamp, as a share of its illuminance: half of the error of
+/// Error allowed in the penumbrae of a source, as a share of its illuminance: half of the error of
 /// the whole system.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
-/// Widest spacing between lines of equal visibility, as a share of half a lamp's width, by the
-/// angle around it.
+/// Widest spacing between lines of equal visibility, as a share of half a source's width, by the
+/// angle around a tube.
 constexpr double widest_spacing = 0.12, widest_spacing_in_pictures = 1;
 
 class Looker {
@@ -56,6 +57,12 @@ public:
         return {reaches ? seen_at(sun.seen_from(point_)) : LightVisibility{{}, 0, 0}};
     }
 
+    template <AreaLight Light>
+    std::vector<LightVisibility> operator()(const Light& light) const {
+        const double share = visible_share(light, point_, normal_, visible_, accuracy());
+        return {{share > 0 ? IntervalSet::whole() : IntervalSet(), share}};
+    }
+
 private:
     LightVisibility seen_at(const Vec3& place) const {
         const IntervalSet seen = visible_.intervals({place, place});
@@ -79,13 +86,17 @@ private:
         std::vector<std::vector<OccludingTube>> hiding;
         if (comb.overlapping())
             for (const std::size_t i : above) hiding.push_back(comb.hiding_tubes(asked_[i]));
-        const bool number = model_ == TubeModel::automatic;
+        const WidthOptions accuracy = this->accuracy();
         return seen_tubes(lamps, point_, normal_, visible_,
-                          {.tolerance = number ? width_tolerance : width_tolerance_in_pictures,
+                          {.tolerance = accuracy.tolerance,
                            .axes = axes_,
-                           .widest_spacing = number ? widest_spacing : widest_spacing_in_pictures,
-                           .between_lines = number},
+                           .widest_spacing = accuracy.widest_spacing,
+                           .between_lines = accuracy.between_lines},
                           hiding);
+    }
+    WidthOptions accuracy() const {
+        if (model_ == TubeModel::automatic) return {width_tolerance, widest_spacing, true};
+        return {width_tolerance_in_pictures, widest_spacing_in_pictures, false};
     }
 
     std::span<const int> asked_; ///< numbers of lamps

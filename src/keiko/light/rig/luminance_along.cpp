@@ -15,6 +15,10 @@ struct InLight {
     /// A lamp's own glow in the medium is left out: it is spread widely enough for `ambient` to
     /// represent it.
     IntervalSet operator()(const CPlane&) const { return {}; }
+    template <AreaLight Light>
+    IntervalSet operator()(const Light&) const {
+        return {};
+    }
     template <PointLight Light>
     IntervalSet operator()(const Light& light) const {
         return light.shaft ? in_beam(light, ray) : IntervalSet();
@@ -63,6 +67,10 @@ struct Inscatter {
     double tolerance;
 
     Rgb operator()(const CPlane&) const { return {}; }
+    template <AreaLight Light>
+    Rgb operator()(const Light&) const {
+        return {};
+    }
     template <PointLight Light>
     Rgb operator()(const Light& light) const {
         return scattered_light(ray, lit, emitter_of(light, ray.ray()), tolerance);
@@ -110,6 +118,10 @@ struct DepthTo {
     const Vec3& place;
 
     std::optional<Rgb> operator()(const CPlane&) const { return std::nullopt; }
+    template <AreaLight Light>
+    std::optional<Rgb> operator()(const Light&) const {
+        return std::nullopt;
+    }
     template <PointLight Light>
     std::optional<Rgb> operator()(const Light& light) const {
         if (!light.shaft) return std::nullopt;

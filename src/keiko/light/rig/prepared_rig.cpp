@@ -1,5 +1,6 @@
 #include "keiko/light/rig/prepared_rig.h"
 
+#include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/c_plane_lookup.h"
 
@@ -53,6 +54,10 @@ struct Holds {
         return light.position == point;
     }
     bool operator()(const Sun&) const { return false; }
+    template <AreaLight Light>
+    bool operator()(const Light& light) const {
+        return holds(light, point);
+    }
 };
 
 } // namespace

@@ -28,7 +28,7 @@ struct LampRow {
 class PreparedSource {
 public:
     /// Kinds of sources in the order of LightSource.
-    using Kind = std::variant<LampRow, Spotlight, Luminaire, Sun>;
+    using Kind = std::variant<LampRow, Spotlight, Luminaire, Sun, PolygonLight, SphereLight>;
 
     template <std::convertible_to<LightSource> Source>
     PreparedSource(const Source& source) : kind_(prepare(source)) {}
@@ -54,8 +54,8 @@ struct PreparedRig {
     PreparedRig(LightRig&&) = delete;
 };
 
-/// True if a point (mm) lies inside the glass of one of the tubes of a source, or at a point light,
-/// where its light is undefined. The glass itself is outside.
+/// True if a point (mm) lies inside the glass of one of the tubes of a source, inside a sphere, on
+/// a panel, or at a point light, where its light is undefined. The glass itself is outside.
 bool within_lamp(const PreparedSource& source, const Vec3& point);
 
 } // namespace keiko

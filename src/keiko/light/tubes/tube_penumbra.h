@@ -12,7 +12,7 @@ namespace keiko {
 
 /// Visible part of a light from a point.
 struct LightVisibility {
-    /// Visible parts of a lamp's axis; for a source without extent the whole if it is visible, else
+    /// Visible parts of a tube's axis; for any other source the whole if any of it is visible, else
     /// empty.
     IntervalSet axis{};
     /// Visible share, 0 to 1, of a lamp's light on the surface, relative to that with occlusion by

@@ -1,5 +1,6 @@
 #include "keiko/render/shading/direct_lighting.h"
 
+#include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/rig/light_visibility.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_lamp.h"
@@ -39,6 +40,10 @@ struct Corners {
         return {light.position};
     }
     std::vector<Vec3> operator()(const Sun& sun) const { return {sun.seen_from(point)}; }
+    template <AreaLight Light>
+    std::vector<Vec3> operator()(const Light& light) const {
+        return bounds_of(light);
+    }
 };
 
 } // namespace

@@ -22,6 +22,7 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
     : scene_(scene),
       options_(options),
       planes_(scene.rig),
+      areas_(scene.rig),
       rig_(scene.rig),
       lights_(rig_, scene.occluders, scene.tracer),
       tubes_(scene.occluders ? options.tubes : TubeModel::preview),
@@ -54,7 +55,8 @@ SampleBatch Integrator::follow(std::span<const Ray> camera_rays) const {
 bool Integrator::shade(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
                        SampleBatch& view) const {
     PixelSample& sample = view.samples[path.sample];
-    record_aovs(path, met, depth, shafts, sample);
+    record_aovs(met, depth, sample);
+    add_lights(path, met, depth, shafts, sample);
     pass_medium(path, met, shafts, sample);
     if (!met.hit) {
         sample.luminance +=
@@ -75,8 +77,7 @@ bool Integrator::shade(PathState& path, const PathVertex& met, int depth, const 
 }
 
 /// Records the first hit of a camera ray, and the hits of its reflected rays.
-void Integrator::record_aovs(PathState& path, const PathVertex& met, int depth,
-                             const VisibleFrom& shafts, PixelSample& sample) const {
+void Integrator::record_aovs(const PathVertex& met, int depth, PixelSample& sample) const {
     if (depth == 0) {
         sample.covered = met.hit != nullptr;
         sample.paint = met.hit ? paint_of_face_[met.hit->face] : 0;
@@ -84,7 +85,6 @@ void Integrator::record_aovs(PathState& path, const PathVertex& met, int depth,
     }
     if (depth == 1 && keeps_hits_) note_mirrored(met, sample);
     sample.discontinuous = sample.discontinuous || met.mirror.discontinuous;
-    add_lamps(path, met, shafts, sample);
 }
 
 HitDetail Integrator::mirrored_detail() const {
@@ -116,21 +116,37 @@ void Integrator::note_mirrored(const PathVertex& met, PixelSample& sample) {
     sample.across_lamps = plane->at.v / plane->frame->pitch;
 }
 
-void Integrator::add_lamps(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
-                           PixelSample& sample) const {
-    const MirroredLight& lamps = met.mirror.lamps;
-    if (lamps.coverage == 0) return;
+/// Adds the rows of lamps that a reflected ray meets, and the panels and spheres that any ray does.
+void Integrator::add_lights(PathState& path, const PathVertex& met, int depth,
+                            const VisibleFrom& shafts, PixelSample& sample) const {
     const Ray& ray = met.ray;
-    Rgb seen = lamps.luminance;
+    const auto& plane = met.mirror.plane;
+    const double row_at = plane ? plane->at.t : 0;
+    const auto add_rows = [&] {
+        if (depth > 0) add_light_at(row_at, met.mirror.lamps, path, ray, shafts, sample);
+    };
+    if (areas_.empty()) return add_rows();
+    const RigAreas::Visible areas = areas_.along(ray.origin, ray.direction, ray.differentials,
+                                                 met.hit ? met.hit->t : ray.t_max);
+    const bool areas_first = plane && areas.t < row_at;
+    if (!areas_first) add_rows();
+    add_light_at(areas.t, areas.light, path, ray, shafts, sample);
+    if (areas_first) add_rows();
+}
+
+/// Adds lights at t of a ray, and takes what they cover from what is behind.
+void Integrator::add_light_at(double t, const MirroredLight& light, PathState& path, const Ray& ray,
+                              const VisibleFrom& shafts, PixelSample& sample) const {
+    if (light.coverage == 0) return;
+    Rgb seen = light.luminance;
     if (scene_.rig.medium) {
-        const auto& plane = met.mirror.plane;
-        const Segment leg{ray.origin, plane ? ray.at(plane->at.t) : ray.origin};
+        const Segment leg{ray.origin, ray.at(t)};
         seen *= transmittance(*scene_.rig.medium, leg);
-        seen += lamps.coverage *
+        seen += light.coverage *
                 luminance_along(scene_.rig, leg, Rgb(0), shafts, picture_scattering_tolerance);
     }
     sample.luminance += path.weight * seen;
-    path.weight *= 1 - lamps.coverage;
+    path.weight *= 1 - light.coverage;
 }
 
 void Integrator::pass_medium(PathState& path, const PathVertex& met, const VisibleFrom& shafts,

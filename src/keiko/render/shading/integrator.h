@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/intersect/hit/reflect_ray.h"
+#include "keiko/light/rig/rig_areas.h"
 #include "keiko/render/reflection/lamp_reflections.h"
 #include "keiko/render/reflection/reflected_grid.h"
 #include "keiko/render/reflection/sample_batch.h"
@@ -142,19 +143,21 @@ private:
     /// else the path becomes that of the reflection.
     bool shade(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
                SampleBatch& view) const;
-    void record_aovs(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
-                     PixelSample& sample) const;
+    void record_aovs(const PathVertex& met, int depth, PixelSample& sample) const;
     bool takes_light(std::uint32_t paint, int depth) const;
     ShadingPoint shading_point_at(const PathState& path, const PathVertex& met, int depth) const;
     static void note_mirrored(const PathVertex& met, PixelSample& sample);
-    void add_lamps(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
-                   PixelSample& sample) const;
+    void add_lights(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
+                    PixelSample& sample) const;
+    void add_light_at(double t, const MirroredLight& light, PathState& path, const Ray& ray,
+                      const VisibleFrom& shafts, PixelSample& sample) const;
     void pass_medium(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
                      PixelSample& sample) const;
 
     const PictureScene& scene_;
     const PictureOptions& options_;
     RigPlanes planes_;
+    RigAreas areas_;
     LampKernels stripe_kernels_ = lamp_kernels();
     ReflectionKernel mirror_kernel_ = reflection_kernel();
     PreparedRig rig_;

@@ -21,6 +21,10 @@ struct ViewpointOf {
         return Viewpoint::at(light.position);
     }
     Viewpoint operator()(const Sun& sun) const { return Viewpoint::towards(sun.towards()); }
+    Viewpoint operator()(const PolygonLight& light) const {
+        return Viewpoint::at(light.corners.front());
+    }
+    Viewpoint operator()(const SphereLight& light) const { return Viewpoint::at(light.center); }
 };
 
 /// Parts of the rays that a source lights without occlusion, as luminance_along queries them.
@@ -55,6 +59,10 @@ struct PencilLight {
         return light.shaft ? std::optional(light.position) : std::nullopt;
     }
     std::optional<Vec3> operator()(const Sun&) const { return std::nullopt; }
+    template <AreaLight Light>
+    std::optional<Vec3> operator()(const Light&) const {
+        return std::nullopt;
+    }
 };
 
 } // namespace

@@ -114,7 +114,8 @@ Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
         if (!goes_on) continue;
         PixelMirror mirror;
         stripes.find(place, hit ? hit->t : std::numeric_limits<double>::infinity(), mirror);
-        if (hit || scene_.rig.medium) ray = mirrors.grid.ray(place); // others do not need it
+        const bool reads_ray = hit || scene_.rig.medium || !areas_.empty();
+        if (reads_ray) ray = mirrors.grid.ray(place);
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
         PathState path{place, weight};
         if (shade(path, {ray, hit, mirror, incidence}, 1, shafts, view)) further.push_back(path);

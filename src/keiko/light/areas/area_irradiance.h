@@ -1,0 +1,35 @@
+#pragma once
+
+#include "keiko/light/areas/area_lights.h"
+#include "keiko/light/luminance/projected_solid_angle.h"
+
+#include <vector>
+
+namespace keiko {
+
+/// Unit vector along the longest side of a panel, the first of several.
+Vec3 longest_side(const PolygonLight& light);
+
+/// Corners of a convex body around a light and the lines across it that visibility is queried for:
+/// the rectangle around a panel along its longest side, or the cube around a sphere.
+std::vector<Vec3> bounds_of(const PolygonLight& light);
+std::vector<Vec3> bounds_of(const SphereLight& light);
+
+/// The disc that covers the same directions as a sphere does, seen from a point outside: the rim is
+/// the sphere's outline. Its normal points away from the point.
+Disc outline_of(const SphereLight& sphere, const Vec3& point);
+
+/// Projected solid angle in sr, 0 to pi, of the part of a panel above the horizon of `point` with
+/// unit `normal`, in closed form (docs/theory/areas.md). 0 from behind a panel with one face.
+double projected_solid_angle(const PolygonLight& light, const Vec3& point, const Vec3& normal);
+
+/// Projected solid angle in sr, 0 to pi, of the part of a sphere above the horizon of `point` with
+/// unit `normal`, in closed form (docs/theory/areas.md). 0 inside of it.
+double projected_solid_angle(const SphereLight& light, const Vec3& point, const Vec3& normal);
+
+/// True if a point lies on a panel, where its light is undefined.
+bool holds(const PolygonLight& light, const Vec3& point);
+/// True if a point lies inside of a sphere. The surface itself is outside.
+bool holds(const SphereLight& light, const Vec3& point);
+
+} // namespace keiko

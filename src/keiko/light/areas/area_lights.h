@@ -1,0 +1,42 @@
+#pragma once
+
+#include "keiko/base/export.h"
+#include "keiko/math/polygon.h"
+#include "keiko/math/rgb.h"
+#include "keiko/math/vec.h"
+
+#include <concepts>
+#include <vector>
+
+namespace KEIKO_API keiko {
+
+/// A plane panel of uniform luminance in all directions: an LED panel, a light box, a screen.
+struct PolygonLight {
+    std::vector<Vec3> corners; ///< mm, at least 3 in a plane, convex or not, without crossings
+    Rgb luminance{10000};      ///< cd/m2, colour included
+    /// True if both faces shine; else only the one from which the corners run anticlockwise.
+    bool two_sided = false;
+
+    /// Unit normal of the face that shines.
+    Vec3 normal() const { return polygon_normal(corners).normalized(); }
+    /// True if the panel shows a point a face that shines.
+    bool shines_at(const Vec3& point) const {
+        return two_sided || normal().dot(point - corners.front()) > 0;
+    }
+    bool operator==(const PolygonLight&) const = default;
+};
+
+/// A globe of uniform luminance in all directions.
+struct SphereLight {
+    Vec3 center{0};       ///< mm
+    double radius = 100;  ///< mm, > 0
+    Rgb luminance{10000}; ///< cd/m2, colour included
+
+    bool operator==(const SphereLight&) const = default;
+};
+
+/// Lights with an area that are no tubes.
+template <class Light>
+concept AreaLight = std::same_as<Light, PolygonLight> || std::same_as<Light, SphereLight>;
+
+} // namespace keiko

@@ -1,0 +1,38 @@
+#pragma once
+
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/light/rig/rig_planes.h"
+#include "keiko/math/bounds.h"
+#include "keiko/math/ray_differentials.h"
+
+#include <optional>
+#include <vector>
+
+namespace keiko {
+
+/// The panels and spheres of a rig, prepared for camera rays and reflected rays.
+class RigAreas {
+public:
+    /// Panels and spheres along a ray.
+    struct Visible {
+        MirroredLight light; ///< mean over the pixel
+        double t = 0;        ///< distance of the nearest, in lengths of the ray's direction
+    };
+
+    /// A copy of all that is read of the rig is kept.
+    explicit RigAreas(const LightRig& rig);
+
+    /// True if the rig has none.
+    bool empty() const { return lights_.empty(); }
+    /// Lights that a ray meets with t up to `t_max`, over the footprint of its pixel if there is a
+    /// `spread`. The nearest is in front of those behind it.
+    Visible along(const Vec3& origin, const Vec3& direction,
+                  const std::optional<RayDifferentials>& spread, double t_max) const;
+    /// A box around each.
+    std::vector<Box3> boxes() const;
+
+private:
+    std::vector<LightSource> lights_; ///< panels and spheres alone
+};
+
+} // namespace keiko

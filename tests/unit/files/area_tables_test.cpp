@@ -1,0 +1,105 @@
+#include "keiko/base/error.h"
+#include "keiko/files/scene/rig_file.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+const std::string head = "format = \"keiko-rig/1\"\n";
+const std::string panel =
+    head +
+    "[[polygon]]\ncorners = [[0, 0, 2000], [0, 500, 2000], [1000, 500, 2000], [1000, 0, 2000]]\n";
+const std::string globe = head + "[[sphere]]\ncenter = [1, 2, 3]\nradius = 150\n";
+
+std::string rig_error(const std::string& text) {
+    try {
+        parse_rig(text, "bad.toml");
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "";
+}
+
+template <class Light>
+Light only_light(const std::string& text) {
+    return std::get<Light>(parse_rig(text, "rig.toml").sources.at(0));
+}
+
+TEST(AreaTables, PanelIsRead) {
+    const auto light = only_light<PolygonLight>(panel + "luminance = 4000\ncolor = [1, 0.5, 0]\n");
+    EXPECT_EQ(light.corners.size(), 4U);
+    EXPECT_EQ(light.corners[1], Vec3(0, 500, 2000));
+    EXPECT_EQ(light.normal(), Vec3(0, 0, -1)); // shines down
+    EXPECT_EQ(light.luminance, Rgb(4000, 2000, 0));
+    EXPECT_FALSE(light.two_sided);
+}
+
+/// A diffuse surface of A m2 and luminance L emits pi L A.
+TEST(AreaTables, FluxBecomesTheLuminanceOfTheWholeSurface) {
+    const auto one = only_light<PolygonLight>(panel + "luminous_flux = 1000\n");
+    EXPECT_NEAR(one.luminance.r, 1000 / (std::numbers::pi * 0.5), 1e-9);
+    const auto both = only_light<PolygonLight>(panel + "luminous_flux = 1000\ntwo_sided = true\n");
+    EXPECT_NEAR(both.luminance.r, one.luminance.r / 2, 1e-9);
+    const auto sphere = only_light<SphereLight>(globe + "luminous_flux = 1000\n");
+    EXPECT_NEAR(sphere.luminance.r, 1000 / (4 * std::numbers::pi * std::numbers::pi * 0.15 * 0.15),
+                1e-9);
+}
+
+TEST(AreaTables, SourcesKeepTheOrderOfTheFile) {
+    const LightRig rig = parse_rig(globe + panel.substr(head.size()), "rig.toml");
+    ASSERT_EQ(rig.sources.size(), 2U);
+    EXPECT_TRUE(std::holds_alternative<SphereLight>(rig.sources[0]));
+    EXPECT_TRUE(std::holds_alternative<PolygonLight>(rig.sources[1]));
+}
+
+TEST(AreaTables, WhatIsWrittenReadsBackTheSame) {
+    for (const std::string& text : {panel + "luminance = [0.1, 0.7, 3e4]\ntwo_sided = true\n",
+                                    globe + "luminous_flux = 333\n"}) {
+        const LightRig rig = parse_rig(text, "rig.toml");
+        const LightRig again = parse_rig(rig_text(rig, ""), "again.toml");
+        if (const auto* light = std::get_if<PolygonLight>(&rig.sources[0]))
+            EXPECT_EQ(std::get<PolygonLight>(again.sources.at(0)), *light);
+        else
+            EXPECT_EQ(std::get<SphereLight>(again.sources.at(0)),
+                      std::get<SphereLight>(rig.sources[0]));
+    }
+}
+
+TEST(AreaTables, BadPanelsAreNamed) {
+    const std::string corners = head + "[[polygon]]\ncorners = ";
+    const std::string at = "bad.toml:3:11: polygon[0].corners: ";
+    EXPECT_EQ(rig_error(head + "[[polygon]]\n"), "bad.toml:2:1: polygon[0]: 'corners' is missing");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0]]\n"), at + "must be at least 3");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0], [1, 1, 0]]\n"),
+              at + "must be arrays of 3 numbers");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n"), at + "enclose no area");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]]\n"),
+              at + "must lie in a plane");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [4, 0, 0], [1, 3, 0], [4, 2, 0]]\n"),
+              at + "sides cross each other");
+    EXPECT_EQ(rig_error(panel + "luminance = 1\nluminous_flux = 1\n"),
+              "bad.toml:5:17: polygon[0].luminous_flux: give either luminance or luminous_flux, "
+              "not both");
+    EXPECT_TRUE(rig_error(panel + "luminance = -1\n").starts_with("bad.toml:4:13: "))
+        << rig_error(panel + "luminance = -1\n");
+    EXPECT_TRUE(rig_error(panel + "sides = 2\n").starts_with("bad.toml:4:1: "))
+        << rig_error(panel + "sides = 2\n");
+    std::string many;
+    for (int i = 0; i <= 1000; ++i) many += "[" + std::to_string(i) + ", 0, 0], ";
+    EXPECT_EQ(rig_error(corners + "[" + many + "]\n"), at + "must be at most 1000");
+}
+
+TEST(AreaTables, BadGlobesAreNamed) {
+    EXPECT_EQ(rig_error(head + "[[sphere]]\nradius = 3\n"),
+              "bad.toml:2:1: sphere[0]: 'center' is missing");
+    EXPECT_EQ(rig_error(head + "[[sphere]]\ncenter = [0, 0, 0]\n"),
+              "bad.toml:2:1: sphere[0]: 'radius' is missing");
+    EXPECT_TRUE(rig_error(head + "[[sphere]]\ncenter = [0, 0, 0]\nradius = 0\n")
+                    .starts_with("bad.toml:4:10: sphere[0].radius: "));
+}
+
+} // namespace
+} // namespace keiko

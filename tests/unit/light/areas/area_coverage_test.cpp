@@ -1,0 +1,122 @@
+#include "keiko/light/areas/area_coverage.h"
+
+#include "keiko/light/rig/rig_areas.h"
+
+#include "tests/support/random.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// An L of a panel: concave, aslant.
+const PolygonLight angle{{{0, 0, 1000},
+                          {600, 0, 1100},
+                          {600, 200, 1100},
+                          {200, 200, 1100.0 - 200.0 / 3},
+                          {200, 500, 1100.0 - 200.0 / 3},
+                          {0, 500, 1000}},
+                         Rgb(100),
+                         true};
+const SphereLight globe{{100, -50, 900}, 300, Rgb(40)};
+
+/// Rays that fan out of a place, a pixel wide and high by these.
+RayDifferentials pixel(double across, double up) {
+    RayDifferentials spread;
+    spread.origin_dx = {across * 100, 0, 0};
+    spread.direction_dx = {across, 0.2 * across, 0};
+    spread.direction_dy = {-0.3 * up, up, 0.1 * up};
+    return spread;
+}
+
+/// Mean over rays within a pixel.
+template <class Light>
+double mean_over_rays(const Light& light, const Vec3& origin, const Vec3& direction,
+                      const RayDifferentials& spread) {
+    constexpr int side = 60;
+    int met = 0;
+    for (int i = 0; i < side; ++i)
+        for (int k = 0; k < side; ++k) {
+            const double x = (i + 0.5) / side - 0.5, y = (k + 0.5) / side - 0.5;
+            met += area_hit(light, origin + spread.origin_dx * x + spread.origin_dy * y,
+                            direction + spread.direction_dx * x + spread.direction_dy * y, {})
+                       .has_value();
+        }
+    return met / static_cast<double>(side * side);
+}
+
+template <class Light>
+int compare_with_rays(const Light& light, double allowed) {
+    int partly = 0;
+    test::Random random(5);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 origin(test::uniform(random, -200, 200), test::uniform(random, -200, 200), 0);
+        const Vec3 direction(test::uniform(random, -0.3, 0.6), test::uniform(random, -0.3, 0.5), 1);
+        const RayDifferentials spread =
+            pixel(test::uniform(random, 0.005, 0.02), test::uniform(random, 0.005, 0.02));
+        const auto hit = area_hit(light, origin, direction, spread);
+        const double coverage = hit ? hit->coverage : 0;
+        partly += coverage > 0.01 && coverage < 0.99;
+        EXPECT_NEAR(coverage, mean_over_rays(light, origin, direction, spread), allowed) << i;
+    }
+    return partly;
+}
+
+/// Rays of a pixel are not quite a parallelogram on a plane aslant, nor is a sphere's outline that
+/// of its middle from all of a pixel.
+TEST(AreaCoverage, IsTheMeanOverTheRaysOfAPixel) {
+    EXPECT_GT(compare_with_rays(angle, 0.01), 2);
+    EXPECT_GT(compare_with_rays(globe, 0.02), 2);
+}
+
+TEST(AreaCoverage, IsWholeWithinAndNothingBeside) {
+    const RayDifferentials spread = pixel(1e-3, 1e-3);
+    const auto within = area_hit(angle, Vec3(0), {0.1, 0.1, 1}, spread);
+    ASSERT_TRUE(within);
+    EXPECT_NEAR(within->coverage, 1, 1e-12);
+    EXPECT_NEAR(within->t, 1000 + within->t * 0.1 / 6, 1e-9);
+    EXPECT_FALSE(area_hit(angle, Vec3(0), {0.45, 0.4, 1}, spread)); // between both arms
+    EXPECT_FALSE(area_hit(angle, Vec3(0), {0.1, 0.1, -1}, spread)); // away
+    const auto sphere = area_hit(globe, Vec3(0), {0.1, -0.05, 0.9}, spread);
+    ASSERT_TRUE(sphere);
+    EXPECT_NEAR(sphere->coverage, 1, 1e-12);
+    EXPECT_FALSE(area_hit(globe, Vec3(0), {0.9, 0, 0.9}, spread));
+    EXPECT_FALSE(area_hit(globe, globe.center, {0, 0, 1}, spread)); // from inside
+}
+
+TEST(AreaCoverage, HalfAPixelAtAStraightSideIsHalf) {
+    const PolygonLight panel{
+        {{-500, 0, 100}, {500, 0, 100}, {500, 500, 100}, {-500, 500, 100}}, Rgb(1), true};
+    RayDifferentials spread;
+    spread.direction_dx = {0.01, 0, 0}, spread.direction_dy = {0, 0.01, 0};
+    EXPECT_NEAR(area_hit(panel, Vec3(0), {0, 0, 1}, spread)->coverage, 0.5, 1e-12);
+    EXPECT_NEAR(area_hit(panel, Vec3(0), {0, 0.0025, 1}, spread)->coverage, 0.75, 1e-12);
+}
+
+TEST(AreaCoverage, DarkFacesAreNotSeen) {
+    PolygonLight panel{{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
+    EXPECT_FALSE(area_hit(panel, Vec3(0), {0, 0, 1}, {}));
+    EXPECT_TRUE(area_hit(panel, Vec3(0, 0, 2), {0, 0, -1}, {}));
+    panel.two_sided = true;
+    EXPECT_TRUE(area_hit(panel, Vec3(0), {0, 0, 1}, {}));
+}
+
+/// The nearest comes first, wherever it stands in the rig; a surface hides what is behind it.
+TEST(RigAreas, NearestIsInFront) {
+    const PolygonLight panel{
+        {{-500, -500, 2000}, {500, -500, 2000}, {500, 500, 2000}, {-500, 500, 2000}}, Rgb(7), true};
+    LightRig rig;
+    rig.sources = {panel, globe, Sun{}};
+    const RigAreas areas(rig);
+    EXPECT_FALSE(areas.empty());
+    EXPECT_EQ(areas.boxes().size(), 2U);
+    const Vec3 up(0.1, -0.05, 1);
+    EXPECT_EQ(areas.along(Vec3(0), up, {}, 1e9).light.luminance, globe.luminance);
+    EXPECT_EQ(areas.along(Vec3(0, 0, 1300), up, {}, 1e9).light.luminance, panel.luminance);
+    EXPECT_EQ(areas.along(Vec3(0), up, {}, 100).light.coverage, 0);
+    EXPECT_TRUE(RigAreas(LightRig{}).empty());
+}
+
+} // namespace
+} // namespace keiko

@@ -1,0 +1,187 @@
+#include "keiko/light/areas/area_penumbra.h"
+
+#include "keiko/light/areas/area_irradiance.h"
+#include "keiko/math/polygon.h"
+#include "keiko/render/shading/occluded_visibility.h"
+
+#include "tests/support/oracle.h"
+#include "tests/support/polyhedron_row.h"
+#include "tests/support/shapes.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+using namespace test;
+
+/// A plate of any outline: a square patch around it, trimmed.
+void add_plate(std::span<const Vec3> corners, ShapeBuilder& shapes) {
+    const Vec3 normal = polygon_normal(corners).normalized();
+    const Vec3 x = (corners[1] - corners[0]).normalized(), y = normal.cross(x);
+    double size = 0;
+    for (const Vec3& corner : corners) size = std::max(size, 2 * (corner - corners[0]).length());
+    const Vec3 low = corners[0] - (x + y) * (size / 2);
+    std::vector<Vec2> outline;
+    for (const Vec3& corner : corners)
+        outline.emplace_back((corner - low).dot(x) / size, (corner - low).dot(y) / size);
+    const Vec3 u = x * size, v = y * size;
+    shapes.face({bilinear(low, low + u, low + v, low + u + v)}, {polygon(outline)});
+}
+
+/// The plates of a row of the tables area_polygon_occluded, area_sphere and area_polyhedron.
+SurfaceModel plates_of(const OracleRow& row) {
+    const std::vector<Vec3> corners = row.points("in.occ");
+    ShapeBuilder shapes;
+    std::size_t first = 0;
+    for (const double count : row.list("in.occ_n")) {
+        add_plate(std::span(corners).subspan(first, static_cast<std::size_t>(count)), shapes);
+        first += static_cast<std::size_t>(count);
+    }
+    return shapes.model();
+}
+
+/// Accuracy of keiko illuminance.
+constexpr WidthOptions of_numbers{5e-5, 0.12, true};
+
+/// Plates between a receiver and its lights.
+class Plates {
+public:
+    explicit Plates(const OracleRow& row)
+        : hidden_(row.has("in.occ")),
+          model_(plates_of(row)),
+          tracer_(model_),
+          occluders_(model_, tracer_),
+          point_(row.vector("in.P")),
+          normal_(row.unit("in.N")) {}
+
+    /// Projected solid angle of what is visible.
+    template <class Light>
+    double seen(const Light& light, const WidthOptions& options) const {
+        const OccludedVisibility visible(hidden_ ? &occluders_ : nullptr, tracer_,
+                                         Viewpoint::at(point_), bounds_of(light), {}, normal_);
+        return projected_solid_angle(light, point_, normal_) *
+               visible_share(light, point_, normal_, visible, options);
+    }
+
+private:
+    bool hidden_;
+    SurfaceModel model_;
+    Tracer tracer_;
+    Occluders occluders_;
+    Vec3 point_, normal_;
+};
+
+/// Expects a light's error to stay below `allowed` of it without plates.
+void compare(const OracleRow& row, double lx, double allowed) {
+    EXPECT_NEAR(lx, row.number("out.E"), allowed * row.number("out.E_unocc") + 1e-9)
+        << row.id() << ' ' << row.text("note") << ", of " << row.number("out.E_unocc");
+}
+
+TEST(AreaPenumbra, PolygonBehindPlatesMeetsTheOracle) {
+    const OracleTable table("area_polygon_occluded");
+    ASSERT_GE(table.size(), 20U);
+    for (const OracleRow& row : table) {
+        const Plates plates(row);
+        const PolygonLight light{row.points("in.V"), Rgb(1), true};
+        const double luminance = row.number("in.L");
+        compare(row, luminance * plates.seen(light, of_numbers), 1e-4);
+        compare(row, luminance * plates.seen(light, {1e-7, 0.12, true}), 1e-6);
+    }
+}
+
+TEST(AreaPenumbra, SphereBehindPlatesMeetsTheOracle) {
+    const OracleTable table("area_sphere");
+    ASSERT_GE(table.size(), 12U);
+    for (const OracleRow& row : table) {
+        const Plates plates(row);
+        const SphereLight light{row.vector("in.C"), row.number("in.R"), Rgb(1)};
+        const double luminance = row.number("in.L");
+        compare(row, luminance * plates.seen(light, of_numbers), 1e-4);
+        compare(row, luminance * plates.seen(light, {1e-7, 0.12, true}), 1e-6);
+    }
+}
+
+TEST(AreaPenumbra, PolyhedronBehindPlatesMeetsTheOracle) {
+    for (const OracleRow& row : OracleTable("area_polyhedron")) {
+        const Plates plates(row);
+        double lx = 0;
+        for (const PolygonLight& face : faces_of(row))
+            lx += face.luminance.r * plates.seen(face, of_numbers);
+        compare(row, lx, 1e-4);
+    }
+}
+
+/// A body of two faces between a receiver at 0 and lights above: a sphere and a sail.
+SurfaceModel sphere_and_sail() {
+    ShapeBuilder shapes;
+    shapes.face(sphere({-150, 60, 420}, 110));
+    PatchData sail{2, 2, {}, {}, {}};
+    for (const Vec3& p : {Vec3(40, -160, 300), Vec3(90, -40, 420), Vec3(40, 120, 330),
+                          Vec3(160, -170, 380), Vec3(200, -20, 560), Vec3(140, 130, 420),
+                          Vec3(260, -120, 330), Vec3(280, 10, 380), Vec3(230, 160, 300)})
+        sail.points.emplace_back(p.x, p.y, p.z, 1);
+    shapes.face({sail});
+    return shapes.model();
+}
+
+/// Visible share of a light from 0 by rays to the middles of a grid of cells of the outline that it
+/// has there.
+double share_by_rays(const Tracer& tracer, const Vec3& normal, const std::vector<Vec3>& middles,
+                     const Vec3& light_normal) {
+    double all = 0, seen = 0;
+    std::vector<Ray> rays;
+    std::vector<double> light;
+    for (const Vec3& at : middles) {
+        const double cosines = std::max(normal.dot(at), 0.0) * std::abs(light_normal.dot(at));
+        if (!(cosines > 0)) continue;
+        Ray ray;
+        ray.direction = at, ray.t_max = 1;
+        rays.push_back(ray);
+        light.push_back(cosines / (at.length2() * at.length2()));
+    }
+    const std::vector<bool> hidden = tracer.any(std::span<const Ray>(rays));
+    for (std::size_t i = 0; i < rays.size(); ++i) all += light[i], seen += hidden[i] ? 0 : light[i];
+    return seen / all;
+}
+
+/// Half a million rays see a share to about 3e-5.
+TEST(AreaPenumbra, BehindCurvedPatchesMeetsRays) {
+    constexpr int side = 700;
+    const SurfaceModel model = sphere_and_sail();
+    const Tracer tracer(model);
+    const Occluders occluders(model, tracer);
+    const PolygonLight panel{
+        {{-500, -300, 900}, {-500, 400, 1000}, {500, 400, 1000}, {500, -300, 900}}};
+    const SphereLight globe{{120, -40, 900}, 350, Rgb(1)};
+    const Disc outline = outline_of(globe, Vec3(0));
+    const Vec3 u = outline.normal.cross(Vec3(0, 1, 0)).normalized(), v = outline.normal.cross(u);
+    std::vector<Vec3> on_panel, on_globe;
+    for (int i = 0; i < side; ++i)
+        for (int k = 0; k < side; ++k) {
+            const double s = (i + 0.5) / side, t = (k + 0.5) / side;
+            const Vec3& first = panel.corners[0];
+            on_panel.push_back(first + (panel.corners[3] - first) * s +
+                               (panel.corners[1] - first) * t);
+            const Vec2 at(2 * s - 1, 2 * t - 1);
+            if (at.length() < 1)
+                on_globe.push_back(outline.center + (u * at.x + v * at.y) * outline.radius);
+        }
+    for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.8, 0.36, 0.48)}) {
+        const auto seen = [&](const auto& light) {
+            const OccludedVisibility visible(&occluders, tracer, Viewpoint::at(Vec3(0)),
+                                             bounds_of(light), {}, normal);
+            return visible_share(light, Vec3(0), normal, visible, of_numbers);
+        };
+        const double of_panel = share_by_rays(tracer, normal, on_panel, panel.normal());
+        EXPECT_LT(of_panel, 0.95);
+        EXPECT_NEAR(seen(panel), of_panel, 1e-4);
+        const double of_globe = share_by_rays(tracer, normal, on_globe, outline.normal);
+        EXPECT_LT(of_globe, 0.95);
+        EXPECT_NEAR(seen(globe), of_globe, 1e-4);
+    }
+}
+
+} // namespace
+} // namespace keiko

@@ -1,0 +1,135 @@
+#include "keiko/light/areas/area_irradiance.h"
+#include "keiko/light/luminance/fresnel.h"
+#include "keiko/visibility/query/occluders.h"
+
+#include "tests/unit/render/stage.h"
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+using test::dome;
+using test::flat_plate;
+using test::Stage;
+
+/// A panel 1.2 km wide at a height of 2 m, which shines down: all of the sky but its rim.
+const PolygonLight sky{{{-6e5, -6e5, 2000}, {-6e5, 6e5, 2000}, {6e5, 6e5, 2000}, {6e5, -6e5, 2000}},
+                       Rgb(100)};
+/// An L over the plate, where the mirror image of the eye looks.
+const PolygonLight angle{{{-900, 700, 2000},
+                          {-900, 4000, 2000},
+                          {200, 4000, 2000},
+                          {200, 2500, 2000},
+                          {900, 2500, 2000},
+                          {900, 700, 2000}},
+                         Rgb(900, 600, 300)};
+const SphereLight globe{{300, 1700, 1500}, 450, Rgb(100, 500, 900)};
+
+double green(const Film& film, int x, int y) {
+    return static_cast<double>(film.color.pixel(x, y)[1]);
+}
+
+/// Largest difference to the mean over n x n rays a pixel, and the share of pixels that differ by
+/// more than `small`.
+struct Difference {
+    double largest = 0, many = 0;
+};
+
+Difference to_supersampling(const Stage& stage, double small) {
+    const Film one = stage.render({.aovs = {}, .edge_samples = 1});
+    constexpr int n = 8;
+    Stage fine = stage;
+    fine.camera.width *= n, fine.camera.height *= n;
+    const Film many = fine.render({.aovs = {}, .edge_samples = 1});
+    Difference difference;
+    for (int y = 0; y < stage.camera.height; ++y)
+        for (int x = 0; x < stage.camera.width; ++x) {
+            double mean = 0;
+            bool whole = true;
+            for (int i = 0; i < n * n; ++i) {
+                mean += green(many, x * n + i % n, y * n + i / n) / (n * n);
+                whole = whole && many.alpha.pixel(x * n + i % n, y * n + i / n)[0] == 1;
+            }
+            if (!whole) continue; // at the plate's border
+            const double off = std::abs(green(one, x, y) - mean);
+            difference.largest = std::max(difference.largest, off);
+            difference.many += off > small;
+        }
+    difference.many /= stage.camera.width * stage.camera.height;
+    return difference;
+}
+
+/// Fresnel's share of a sky's luminance, and nothing else, on a black plate under a coat.
+TEST(AreaPicture, MirrorShowsTheLuminanceOfAPanelTimesFresnels) {
+    Stage stage(flat_plate());
+    for (Material& material : stage.materials) material.diffuse = Rgb(0);
+    stage.rig.sources = {sky};
+    const Film film = stage.render();
+    const double cosine = 1500 / std::hypot(1500, 3000); // of the ray to the plate's middle
+    EXPECT_NEAR(green(film, 48, 27), 100 * fresnel_dielectric(cosine, 1.5), 0.3);
+}
+
+TEST(AreaPicture, PlateWithoutACoatHasTheLightOfTheWholeSky) {
+    Stage stage(flat_plate(), 1);
+    stage.rig.sources = {sky};
+    EXPECT_NEAR(green(stage.render(), 48, 27), 0.2 * 100, 1e-3);
+}
+
+TEST(AreaPicture, MirroredFootprintsAgreeWithSupersampling) {
+    Stage stage(flat_plate(), 30); // a mirror
+    for (Material& material : stage.materials) material.diffuse = Rgb(0);
+    stage.rig.sources = {angle};
+    const Difference panel = to_supersampling(stage, 6);
+    EXPECT_LT(panel.largest, 12); // 2 % of its luminance
+    EXPECT_LT(panel.many, 0.01);
+    stage.rig.sources = {globe};
+    const Difference sphere = to_supersampling(stage, 5);
+    EXPECT_LT(sphere.largest, 10);
+    EXPECT_LT(sphere.many, 0.01);
+}
+
+/// The camera sees panels and spheres beside the body, before the background.
+TEST(AreaPicture, CameraSeesThemBesideTheBody) {
+    Stage stage(flat_plate());
+    stage.camera.target = {0, 0, 1500};
+    stage.rig.sources = {
+        SphereLight{{0, 1000, 1500}, 300, Rgb(50)},
+        PolygonLight{{{-500, 2000, 1000}, {500, 2000, 1000}, {500, 2000, 2600}, {-500, 2000, 2600}},
+                     Rgb(80)}};
+    const Film film = stage.render();
+    EXPECT_EQ(film.color.pixel(48, 27)[0], 50); // the sphere is before the panel
+    EXPECT_NEAR(green(film, 48, 14), 80, 1e-4);
+    EXPECT_EQ(film.color.pixel(2, 27)[0], 7);
+}
+
+TEST(AreaPicture, SameBytesForAnyNumberOfThreads) {
+    Stage stage(dome());
+    stage.rig.sources = {angle, globe};
+    EXPECT_EQ(stage.render({}, 1).color.values, stage.render({}, 3).color.values);
+}
+
+/// A wall as high as the sky hides all that is beyond, (1 - sin b) / 2 of the light where its top
+/// is b from the vertical.
+TEST(AreaPicture, WallHidesTheSkyBeyond) {
+    test::ModelBuilder builder;
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    builder.plane({-5e5, 0.5, 0}, {1e6, 0, 0}, {0, 0, 1999});
+    Stage stage(builder.build(), 1);
+    stage.rig.sources = {sky};
+    const Occluders occluders(stage.model, stage.tracer);
+    const Film film = render({.tracer = stage.tracer,
+                              .materials = stage.materials,
+                              .rig = stage.rig,
+                              .background = Rgb(7),
+                              .occluders = &occluders},
+                             stage.camera, {}, {});
+    const Ray ray = PreparedCamera(stage.camera).rays(std::array{Vec2(48.5, 28.5)}).front();
+    const double away = 0.5 - ray.at(-ray.origin.z / ray.direction.z).y;
+    EXPECT_NEAR(green(film, 48, 28), 10 * (1 + away / std::hypot(away, 2000)), 0.01);
+}
+
+} // namespace
+} // namespace keiko
