@@ -9,8 +9,8 @@ namespace keiko {
 namespace {
 
 double share_of(const AreaWidth& width, const Visibility& visible, const WidthOptions& options) {
-    const Segment first = width.line_of(width.sub_axis(-1)),
-                  last = width.line_of(width.sub_axis(1));
+    const Segment first = width.line_of(width.sub_axis(-1));
+    const Segment last = width.line_of(width.sub_axis(1));
     const Prism around{first, first, last, last};
     if (const auto whole = visible.classify_prisms({&around, 1}).front()) return *whole ? 1 : 0;
     WidthShare share(width, options);
@@ -26,13 +26,13 @@ double share_of(const AreaWidth& width, const Visibility& visible, const WidthOp
 
 double visible_share(const PolygonLight& light, const Vec3& point, const Vec3& normal,
                      const Visibility& visible, const WidthOptions& options) {
-    const auto width = PolygonWidth::of(light, point, normal);
+    const auto width = width_of(light, point, normal);
     return width ? share_of(*width, visible, options) : 0;
 }
 
 double visible_share(const SphereLight& light, const Vec3& point, const Vec3& normal,
                      const Visibility& visible, const WidthOptions& options) {
-    const auto width = SphereWidth::of(light, point, normal);
+    const auto width = width_of(light, point, normal);
     return width ? share_of(*width, visible, options) : 0;
 }
 

@@ -50,22 +50,16 @@ double AreaWidth::level(const SubAxis& axis) const {
     return n_ahead_ * axis.cosine + n_across_ * axis.sine;
 }
 
-/// Visits the parts of the source from u = `begin` to `end`.
-template <class Visit>
-void AreaWidth::each_chord(double v, double begin, double end, const Visit& visit) const {
-    for (const ParameterInterval& chord : chords(v)) {
-        const double from = std::max(chord.begin, begin), to = std::min(chord.end, end);
-        if (from < to) visit(ParameterInterval{from, to});
-    }
-}
-
 double AreaWidth::lit(const SubAxis& axis, double begin, double end) const {
-    const auto at = [&](double t) { return extent_.begin + t * extent_.length(); };
+    const double from = extent_.begin + begin * extent_.length();
+    const double to = extent_.begin + end * extent_.length();
     double sum = 0;
-    each_chord(axis.r * axis.sine, at(begin), at(end), [&](const ParameterInterval& part) {
-        sum += arc_integral(level(axis), n_along_,
-                            {half_tangent(part.begin, axis.r), half_tangent(part.end, axis.r)});
-    });
+    for (const ParameterInterval& chord : chords(axis.r * axis.sine)) {
+        const ParameterInterval part{std::max(chord.begin, from), std::min(chord.end, to)};
+        if (part.begin < part.end)
+            sum += arc_integral(level(axis), n_along_,
+                                {half_tangent(part.begin, axis.r), half_tangent(part.end, axis.r)});
+    }
     return sum;
 }
 

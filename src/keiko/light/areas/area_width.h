@@ -4,9 +4,9 @@
 #include "keiko/light/luminance/projected_solid_angle.h"
 #include "keiko/light/penumbra/source_width.h"
 #include "keiko/math/interval_set.h"
+#include "keiko/math/vec.h"
 
 #include <optional>
-#include <span>
 #include <vector>
 
 namespace keiko {
@@ -37,7 +37,7 @@ protected:
 
     /// Parts of the source on the line at v, rising.
     virtual std::vector<ParameterInterval> chords(double v) const = 0;
-    /// Line at a wedge angle.
+    /// Line at v; `weight`: change of the wedge angle by the place.
     SubAxis line_at(double v, double weight) const;
     /// Place in the plane.
     Vec2 place_of(const Vec3& at) const {
@@ -55,8 +55,6 @@ protected:
     void set_extent(const ParameterInterval& u) { extent_ = u; }
 
 private:
-    template <class Visit>
-    void each_chord(double v, double begin, double end, const Visit& visit) const;
     double level(const SubAxis& axis) const;
 
     Vec3 point_, ahead_, along_, across_; ///< ahead: from the point to the plane
