@@ -1,11 +1,13 @@
 #include "keiko/light/areas/area_irradiance.h"
 
+#include "keiko/light/areas/area_integral.h"
 #include "keiko/light/areas/area_penumbra.h"
 #include "keiko/math/axes.h"
 #include "keiko/math/quadrature.h"
 
 #include "tests/support/oracle.h"
 #include "tests/support/polyhedron_row.h"
+#include "tests/support/random.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -155,6 +157,49 @@ TEST(AreaPenumbra, WholeAndNothingArePrecise) {
     // All of the globe is below the horizon of one, and some of it below that of the other.
     EXPECT_EQ(visible_share(globe, Vec3(0), Vec3(-1, 0, 0), Unoccluded(), options), 0);
     EXPECT_EQ(visible_share(globe, Vec3(0), -up, Unoccluded(), options), 1);
+}
+
+/// Reflects in proportion to the cosine, as a diffuse surface does.
+struct CosineKernel {
+    Vec3 normal;
+
+    Rgb operator()(const Vec3& light) const { return Rgb(std::max(normal.dot(light), 0.0)); }
+    const Vec3& peak() const { return normal; }
+    double spread() const { return 1; }
+};
+
+/// A star of a panel around a place, with `tips` tips.
+PolygonLight random_star(int tips, test::Random& random) {
+    const Vec3 center = test::random_direction(random) * test::uniform(random, 300, 3000);
+    const Vec3 axis = test::random_direction(random);
+    const Vec3 x = any_perpendicular(axis).normalized(), y = axis.cross(x);
+    PolygonLight star{{}, Rgb(1), true};
+    for (int i = 0; i < 2 * tips; ++i) {
+        const double angle = pi * (i + test::uniform(random, 0, 0.9)) / tips;
+        const double reach = test::uniform(random, 100, 1500);
+        star.corners.push_back(center + (x * std::cos(angle) + y * std::sin(angle)) * reach);
+    }
+    return star;
+}
+
+/// The closed form and the lines are two ways to one projected solid angle.
+TEST(AreaIrradiance, LinesOfAnySourceAddUpToTheClosedForm) {
+    test::Random random(8);
+    int compared = 0;
+    const auto compare = [&](const auto& light, const Vec3& normal) {
+        const double closed = projected_solid_angle(light, Vec3(0), normal);
+        const auto width = width_of(light, Vec3(0), normal);
+        compared += closed > 0.01;
+        const double by_lines = width ? gloss_integral(*width, CosineKernel{normal}, 1e-9).g : 0;
+        EXPECT_NEAR(by_lines, closed, 1e-6);
+    };
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 normal = test::random_direction(random);
+        compare(random_star(2 + i % 4, random), normal);
+        const Vec3 center = test::random_direction(random) * test::uniform(random, 300, 3000);
+        compare(SphereLight{center, center.length() * test::uniform(random, 0.01, 0.99)}, normal);
+    }
+    EXPECT_GT(compared, 100);
 }
 
 TEST(AreaIrradiance, HoldsWhatLiesOnOrIn) {
