@@ -120,7 +120,7 @@ class Headers(Tree):
 class Includable(unittest.TestCase):
     def test_of_a_chamber(self):
         self.assertEqual([used for used in includable("light/tubes") if used.startswith("light")],
-                         ["light/luminance", "light/tubes"])
+                         ["light/luminance", "light/penumbra", "light/tubes"])
         self.assertIn("geometry/rays", includable("light/tubes"))
         self.assertNotIn("intersect", includable("light/tubes"))
 
