@@ -7,7 +7,6 @@
 #include "keiko/base/log.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/session.h"
-#include "keiko/report/content/inspection_texts.h"
 
 #include <CLI/Validators.hpp>
 
