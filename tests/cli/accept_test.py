@@ -9,7 +9,7 @@ from sarif_rules import faults_of_log
 GAP = surface("seam-g0-gap.step")
 SCHEMA = SOURCE / "docs/schema/keiko-accepted.schema.json"
 DAY = ("--today", "2026-11-27")
-UNJUDGED = r"\Akeiko: warning: the curvature was not judged where a gap or an angle fails and is accepted: seam 1 \(face 1.*\)\n\Z"
+UNJUDGED = r"\Akeiko: warning: the curvature was not judged where what comes before it fails and is accepted: seam 1 \(face 1.*\)\n\Z"
 
 
 class Accept(KeikoTest):
@@ -73,7 +73,7 @@ class Accept(KeikoTest):
         self.write("ok.json", json.dumps(kept))
         run = self.check(GAP)
         self.assertEqual(run.returncode, 1)
-        self.assertIn("or held to a closer limit", run.stderr)
+        self.assertIn("which is held to a closer limit: 0.01 instead of 0.0101 mm", run.stderr)
 
     def test_a_fault_of_a_report_is_accepted_with_all_of_its_findings(self):
         inspect = ("inspect", surface("seam-g1-angle.step"), "--view", "high-front", "-q", *SMALL)
@@ -84,6 +84,10 @@ class Accept(KeikoTest):
         self.assertEqual(self.accept("before/report.json", "1", "--finding", str(fault["findings"][0])).returncode, 0)
         self.assertEqual(len(json.loads((self.folder / "ok.json").read_text())["accepted"]), len(fault["findings"]))
         self.assertEqual(self.keiko(*inspect, "-o", "after", "--accepted", "ok.json", *DAY).returncode, 0)
+        hidden = dict(report, triage={"items": [], "hidden": [fault]})
+        self.write("hidden.json", json.dumps(hidden))
+        run = self.accept("hidden.json", "1", day=("--today", "2026-11-28"))
+        self.assertEqual((run.returncode, run.stdout), (2, ""), "accepted already, so it was found")
         run = self.accept("before/report.json", "2")
         self.assertEqual((run.returncode, run.stderr), (2, "keiko: before/report.json:item 2: there is no such fault; there are 1\n"))
 

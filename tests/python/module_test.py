@@ -262,6 +262,12 @@ class ModuleTest(unittest.TestCase):
         self.assertEqual((entry["why"], entry["who"]), ("hidden", "Ann"))
         accepting = keiko.check(self.sheets, accepted=folder / "accepted.json")
         self.assertEqual((accepting.verdict, accepting.findings), ("pass", []))
+        keiko.inspect(self.sheets, views="top").write(folder / "report")
+        fault = json.loads((folder / "report/report.json").read_text())["triage"]["items"][0]
+        held = keiko.accept(folder / "report/report.json", 1, folder / "fault.json", why="hidden")
+        self.assertEqual(held, len(fault["findings"]))
+        held = keiko.accept(folder / "report/report.json", [], folder / "one.json", findings=fault["findings"][0], why="hidden")
+        self.assertEqual(held, 1)
         with self.assertRaisesRegex(keiko.Error, "until"):
             keiko.accept(folder / "found.json", 1, folder / "accepted.json", why="again", until="2020-01-01")
 

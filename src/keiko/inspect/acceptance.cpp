@@ -20,13 +20,13 @@ bool has_kept(const MeasuredValue& now, double value, double bound) {
            (least <= 0 || now.value - now.bound >= least / largest_growth);
 }
 
-/// True if a finding is held to a closer limit than the one that was accepted.
+/// True if a finding is held to a closer limit than the one that was accepted, or to none.
 bool is_held_closer(const Acceptance& entry, const MeasuredValue& now) {
-    return now.at_least ? now.limit > entry.limit : now.limit < entry.limit;
+    return !(now.at_least ? now.limit <= entry.limit : now.limit >= entry.limit);
 }
 
 bool has_grown(const Acceptance& entry, const Check& finding, std::span<const MeasuredSeam> seams) {
-    if (finding.worst.verdict > entry.verdict || is_held_closer(entry, finding.worst)) return true;
+    if (finding.worst.verdict > entry.verdict) return true;
     if (entry.stretch && !(seams[finding.seam].length <= entry.stretch->length * largest_growth))
         return true;
     return !has_kept(finding.worst, entry.value, entry.bound);
@@ -72,6 +72,14 @@ std::vector<Candidate> candidates_of(std::span<const Check> checks, const Accept
     return candidates;
 }
 
+AcceptanceRemark::Kind kind_of(const AcceptanceRemark& remark, const std::string& today,
+                               std::span<const MeasuredSeam> seams) {
+    using Kind = AcceptanceRemark::Kind;
+    if (remark.finding)
+        return has_grown(remark.entry, *remark.finding, seams) ? Kind::grown : Kind::held_closer;
+    return is_expired(remark.entry.note, today) ? Kind::expired : Kind::unused;
+}
+
 } // namespace
 
 double acceptance_reach_on(double stretch_length) {
@@ -113,7 +121,6 @@ bool is_expired(const AcceptanceNote& note, const std::string& today) {
 
 std::vector<AcceptanceRemark> accept(std::span<Check> checks, const AcceptanceList& list,
                                      std::span<const MeasuredSeam> seams) {
-    using Kind = AcceptanceRemark::Kind;
     std::vector<AcceptanceRemark> remarks(list.entries.size());
     std::vector<bool> used(list.entries.size()), met(checks.size());
     for (const Candidate& candidate : candidates_of(checks, list, seams)) {
@@ -121,7 +128,7 @@ std::vector<AcceptanceRemark> accept(std::span<Check> checks, const AcceptanceLi
         used[candidate.entry] = met[candidate.check] = true;
         const Acceptance& entry = list.entries[candidate.entry];
         Check& finding = checks[candidate.check];
-        if (has_grown(entry, finding, seams))
+        if (has_grown(entry, finding, seams) || is_held_closer(entry, finding.worst))
             remarks[candidate.entry].finding = finding;
         else
             finding.accepted = entry.note;
@@ -131,9 +138,7 @@ std::vector<AcceptanceRemark> accept(std::span<Check> checks, const AcceptanceLi
         AcceptanceRemark& remark = remarks[i];
         if (used[i] && !remark.finding) continue;
         remark.entry = list.entries[i];
-        remark.kind = remark.finding                              ? Kind::grown
-                      : is_expired(remark.entry.note, list.today) ? Kind::expired
-                                                                  : Kind::unused;
+        remark.kind = kind_of(remark, list.today, seams);
         told.push_back(std::move(remark));
     }
     return told;

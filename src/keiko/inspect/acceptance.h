@@ -44,13 +44,14 @@ struct AcceptanceList {
 struct AcceptanceRemark {
     /// Why it covers nothing.
     enum class Kind {
-        expired, ///< its last day is over
-        grown,   ///< the finding there is worse, or is held to a closer limit
-        unused   ///< there is no such finding near its place
+        expired,     ///< its last day is over
+        grown,       ///< the finding there has grown by more than a tenth
+        held_closer, ///< the finding there is held to a closer limit
+        unused       ///< there is no such finding near its place
     };
     Kind kind = Kind::unused;     ///< why
     Acceptance entry;             ///< the acceptance
-    std::optional<Check> finding; ///< that has grown
+    std::optional<Check> finding; ///< that has grown or is held closer
 };
 
 /// The worst of several checks that do not pass.

@@ -101,11 +101,11 @@ void write(const std::filesystem::path& folder, const std::map<std::string, py::
 
 /// Adds findings of a report to a file of accepted ones, and returns how many it holds then.
 std::size_t accept(const std::filesystem::path& report, const std::vector<std::size_t>& items,
-                   const std::filesystem::path& output, const std::string& why,
-                   const std::string& who, const std::string& until) {
+                   const std::filesystem::path& output, const std::vector<std::size_t>& findings,
+                   const std::string& why, const std::string& who, const std::string& until) {
     const AcceptanceList earlier = earlier_acceptances(output, date_today());
     const AcceptanceNote note{who, why, earlier.today, until};
-    const AddedAcceptances all = accept_items(earlier, output, report, {{}, items}, note);
+    const AddedAcceptances all = accept_items(earlier, output, report, {items, findings}, note);
     FileTransaction outputs;
     outputs.add(output, acceptances_json(all.entries));
     outputs.write();
@@ -119,7 +119,8 @@ void add_inspections(py::module_& module) {
     module.def("report_files", &inspect);
     module.def("write_report", &write);
     module.def("accept_findings", &accept, py::arg("report"), py::arg("items"), py::arg("output"),
-               py::kw_only(), py::arg("why"), py::arg("who"), py::arg("until") = "");
+               py::kw_only(), py::arg("findings"), py::arg("why"), py::arg("who"),
+               py::arg("until") = "");
 }
 
 } // namespace keiko::python

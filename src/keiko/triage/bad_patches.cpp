@@ -53,8 +53,10 @@ public:
                 share.weight += units_[i].sight.weight[view], share.length += seam.length;
             }
         }
+        // A view may show both images of a fault, each with half of its weight.
+        const double all = group.sight.weight[view] * (group.mirrored ? 0.5 : 1);
         for (const auto& [face, share] : shares)
-            if (share.weight > 0 && share.weight >= spread_share * group.sight.weight[view])
+            if (share.weight > 0 && share.weight >= spread_share * all)
                 of_faces_[face].faults.push_back(share);
     }
 

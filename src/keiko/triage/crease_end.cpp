@@ -8,6 +8,7 @@
 namespace keiko {
 
 std::optional<Vec3> end_of_crease(const Inspection& inspection, const MeasuredSeam& seam) {
+    if (seam.kind != SeamClass::smooth) return std::nullopt;
     const std::array<Vec3, 2> ends{seam.course.front().front(), seam.course.back().back()};
     const auto meets_crease = [&](const Vec3& end) {
         return std::any_of(

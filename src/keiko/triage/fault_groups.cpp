@@ -146,7 +146,9 @@ FaultGroup Grouping::group_of(std::vector<std::size_t> members) const {
 /// True for a fault that is mended by a better surface: a gap needs another border, and what is too
 /// fine another design.
 bool Grouping::may_belong_to_patch(const FaultGroup& group) const {
-    return !group.sight.is_hidden() && means_of(units_[group.units.front()]) == Means::rebuild_line;
+    return !group.sight.is_hidden() &&
+           std::all_of(group.units.begin(), group.units.end(),
+                       [&](std::size_t i) { return means_of(units_[i]) == Means::rebuild_line; });
 }
 
 /// The faults of each bad patch as one.

@@ -32,6 +32,7 @@ void add_sights(const FindingSights& of_findings, const Inspection& inspection,
 double left_of_crease(const Inspection& inspection, const FaultUnit& unit) {
     if (unit.seam == no_index) return 0;
     const MeasuredSeam& seam = inspection.seams[unit.seam];
+    if (!seam.angle || seam.angle->verdict == Verdict::pass) return 0;
     return end_of_crease(inspection, seam) ? seam.smallest_angle : 0;
 }
 

@@ -26,17 +26,18 @@ Box2 box_around(const Vec2& uv, double reach) {
             {std::min(uv.x + reach, 1.0), std::min(uv.y + reach, 1.0)}};
 }
 
-/// Boxes of patch parameters that hold the exact place of a hit, the certified one first. Ranges
-/// over smaller boxes are narrower, but lose more digits.
+/// The certified box of a hit's patch parameters, which holds the exact place, and boxes about it.
+/// Ranges over smaller boxes are narrower, but lose more digits.
 std::vector<Box2> boxes_of(const Hit& hit) {
     constexpr std::array reaches{1e-2, 1e-3, 3e-4, 1e-4, 3e-5}; // of the patch's parameters
-    // The bound over the least speed of the parametrisation; twice that is room for its bends.
-    const double speed =
-        hit.dpdu.cross(hit.dpdv).length() / std::sqrt(hit.dpdu.length2() + hit.dpdv.length2());
-    const double error = 2 * hit.position_bound / speed;
-    std::vector<Box2> boxes{hit.root.uv};
-    for (const double reach : reaches)
-        if (error < reach) boxes.push_back(box_around(hit.uv, reach));
+    const Box2& root = hit.root.uv;
+    std::vector<Box2> boxes{root};
+    for (const double reach : reaches) {
+        const Box2 box = box_around(hit.uv, reach);
+        if (box.lower.x <= root.lower.x && box.lower.y <= root.lower.y &&
+            root.upper.x <= box.upper.x && root.upper.y <= box.upper.y)
+            boxes.push_back(box);
+    }
     return boxes;
 }
 

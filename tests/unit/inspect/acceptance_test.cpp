@@ -80,6 +80,33 @@ TEST(Acceptance, DoesNotCoverWhatHasGrown) {
     EXPECT_NEAR(grown.acceptance_remarks[0].finding->worst.value, 0.056, 1e-9);
 }
 
+TEST(Acceptance, DoesNotCoverACloserLimit) {
+    const SurfaceModel model = sheets({0.05, 0});
+    for (const auto& [share, covered] : {std::pair(1.0, true), {0.9, true}, {1.01, false}}) {
+        AcceptanceList list = accepting(inspect(model), {0});
+        list.entries[0].limit *= share;
+        const Inspection found = judged(model, list);
+        EXPECT_EQ(found.verdict, covered ? Verdict::pass : Verdict::fail) << share;
+        ASSERT_EQ(found.acceptance_remarks.size(), covered ? 0u : 1u);
+        if (!covered) {
+            EXPECT_EQ(found.acceptance_remarks[0].kind, Kind::held_closer);
+        }
+    }
+}
+
+/// Of a smallest value a closer limit is larger.
+TEST(Acceptance, OfASmallestValueDoesNotCoverALargerLimit) {
+    Check draft;
+    draft.code = "KEIKO-DRAFT", draft.worst.value = 0.4, draft.worst.limit = 0.5;
+    draft.worst.at_least = true, draft.worst.verdict = Verdict::fail;
+    for (const auto& [limit, covered] : {std::pair(0.5, true), {0.6, true}, {0.45, false}}) {
+        AcceptanceList list{{acceptance_of(draft, {}, note)}, "2026-12-24"};
+        list.entries[0].limit = limit;
+        std::vector<Check> checks{draft};
+        EXPECT_EQ(accept(checks, list, {}).empty(), covered) << limit;
+    }
+}
+
 TEST(Acceptance, DoesNotCoverALongerStretch) {
     AcceptanceList list = accepting(inspect(sheets({0.05})), {0});
     list.entries[0].stretch->length /= 1.2;

@@ -83,6 +83,9 @@ TEST(FaultWords, JumpsTooFineForAnEyeStandByFallingRadius) {
     TriageItem fault;
     fault.findings = {0}, fault.seams = {0, 1, 2}, fault.fine = true;
     EXPECT_EQ(also_text(fault, any.inspection), "seam 2 (R 40 mm), seam 1 (R 15 mm), seam 3");
+    fault.seams.assign(12, 1);
+    const std::string many = also_text(fault, any.inspection);
+    EXPECT_EQ(many.substr(many.find(';')), "; and 2 more");
 }
 
 TEST(FaultWords, HolesAreCounted) {

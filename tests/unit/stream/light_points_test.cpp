@@ -70,7 +70,6 @@ double sum_of(const std::string& rows) {
     return std::stod(rows.substr(rows.rfind(',') + 1));
 }
 
-/// Coordinates of points on a surface are often written with a few digits only.
 /// The board hides half of a panel right above the point, along the panel's middle.
 TEST(LightPoints, PanelsAndSpheresHaveColumnsAndShadows) {
     const PolygonLight panel{
@@ -89,6 +88,7 @@ TEST(LightPoints, PanelsAndSpheresHaveColumnsAndShadows) {
     EXPECT_NEAR(lit.lux[2], lit.lux[0] + lit.lux[1], 1e-9);
 }
 
+/// Coordinates of points on a surface are often written with a few digits only.
 TEST(LightPoints, OfASurfaceAreNotShadowedByItself) {
     const double on = sum_of(rows_for("10,20,0,0,0,1"));
     for (const char* z : {"1e-4", "-1e-4", "1e-12", "-1e-9"})

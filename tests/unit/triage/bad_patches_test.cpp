@@ -72,6 +72,17 @@ TEST(BadPatches, AFaultThatReachesBeyondTheFaceIsItsOwn) {
     }
 }
 
+TEST(BadPatches, ImagesOfEachOtherAreOneFaultToo) {
+    ModelBuilder builder;
+    cross(builder, {0, 400, 0}, {0.5, 0.3, 0.4, 0});
+    cross(builder, {0, -400 - side, 0}, {0.5, 0, 0.4, 0.3});
+    const Triaged found(builder);
+    ASSERT_EQ(found.triage.items.size(), 1u);
+    EXPECT_TRUE(found.triage.items[0].mirrored);
+    EXPECT_NE(found.triage.items[0].patch, no_index);
+    EXPECT_EQ(found.triage.items[0].seams.size(), 6u);
+}
+
 /// Gaps are closed by other means.
 TEST(BadPatches, AGapIsNoPartOfThem) {
     ModelBuilder builder;

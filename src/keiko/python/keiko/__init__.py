@@ -97,15 +97,20 @@ def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=()
     return Report(files, _os.getcwd())
 
 
-def accept(report, items, output, *, why: str, who: str = "", until: str = "") -> int:
-    """Accepts findings of a report, by their numbers from 1, as `keiko accept` does.
+def _numbers(one_or_more) -> list:
+    return [one_or_more] if isinstance(one_or_more, int) else list(one_or_more)
 
-    `report` is a report.json, or the file of a check. `output` is the file of accepted findings that they
+
+def accept(report, items, output, *, findings=(), why: str, who: str = "", until: str = "") -> int:
+    """Accepts faults and findings of a report, by their numbers from 1, as `keiko accept` does.
+
+    `report` is a report.json, or the file of a check. `items` are faults of the report, each with all of its
+    findings; of a check they are findings. `findings` are single ones of either. `output` is the file of accepted findings that they
     are added to; it is made if missing. `who` is the login name unless given, `until` a date as
     2026-11-27. Returns the number of findings in the file.
     """
-    numbers = [items] if isinstance(items, int) else list(items)
-    return accept_findings(report, numbers, output, why=why, who=who or _getpass.getuser(), until=until)
+    return accept_findings(report, _numbers(items), output, findings=_numbers(findings), why=why,
+                           who=who or _getpass.getuser(), until=until)
 
 
 def place(scene, *, views=(), lamps: int = 12, planes: int = 3, progress=None, threads: int = 0) -> Placement:

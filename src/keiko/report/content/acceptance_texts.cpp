@@ -49,7 +49,11 @@ std::string text_of(const AcceptanceRemark& remark) {
             return name + " does not cover the finding there, which is worse than what was " +
                    "accepted: " + short_number(remark.finding->worst.value) + " instead of " +
                    short_number(entry.value) + " " + entry.unit +
-                   ", more uncertain, on a longer stretch, or held to a closer limit";
+                   ", more uncertain, or on a longer stretch";
+        case AcceptanceRemark::Kind::held_closer:
+            return name + " does not cover the finding there, which is held to a closer limit: " +
+                   short_number(remark.finding->worst.limit) + " instead of " +
+                   short_number(entry.limit) + " " + entry.unit;
         case AcceptanceRemark::Kind::unused:
             break;
     }

@@ -12,6 +12,13 @@ namespace {
 /// mm; shorter gaps between seams that follow each other along a border are rounding.
 constexpr double least_length = 0.05;
 
+/// True for a stretch that fails before its curvature, or the slope of that, is judged.
+bool hides_curvature(const MeasuredSeam& seam, const CriteriaPreset& limits) {
+    if (seam.kind != SeamClass::smooth) return false;
+    if (!seam.curvature) return limits.curvature || limits.curvature_slope;
+    return limits.curvature_slope && seam.curvature->worst.verdict != Verdict::pass;
+}
+
 } // namespace
 
 std::string value_text(const Check& check) {
@@ -63,12 +70,11 @@ std::string curvature_not_judged(const Inspection& inspection) {
     std::vector<std::string> names;
     for (const std::uint32_t index : inspection.accepted_seams) {
         const MeasuredSeam& seam = inspection.seams[index];
-        if (seam.kind == SeamClass::smooth && !seam.curvature &&
-            limits_of(inspection, seam).curvature)
+        if (hides_curvature(seam, limits_of(inspection, seam)))
             names.push_back("seam " + std::to_string(index + 1) + " (" + seam.faces + ")");
     }
     if (names.empty()) return "";
-    return "the curvature was not judged where a gap or an angle fails and is accepted: " +
+    return "the curvature was not judged where what comes before it fails and is accepted: " +
            comma_list(names);
 }
 

@@ -40,8 +40,8 @@ std::string nothing_judged(const Inspection& inspection);
 /// radius has limits and they were not sought; else empty.
 std::string joints_not_judged(const Inspection& inspection);
 
-/// Warning of the stretches whose curvature was not judged, as their gap or angle fails and is
-/// accepted; empty if there are none, or if the limits judge no curvature.
+/// Warning of the stretches whose curvature (G2), or its slope (G3), was not judged, as the gap,
+/// angle or curvature before it fails and is accepted; empty if there are none.
 std::string curvature_not_judged(const Inspection& inspection);
 
 /// One remark, or several equal ones, for people.

@@ -120,18 +120,22 @@ double radius_at(const MeasuredSeam& seam) {
     return most > 0 ? 1 / most : 0;
 }
 
-/// The stretches of a fault by falling radius, the radius with each: "seam 15 (R 40 mm)".
+/// The first stretches of a fault by falling radius, the radius with each: "seam 15 (R 40 mm)".
 std::string by_radius(const TriageItem& fault, const Inspection& inspection) {
     std::vector<std::uint32_t> seams = fault.seams;
     std::stable_sort(seams.begin(), seams.end(), [&](std::uint32_t a, std::uint32_t b) {
         return radius_at(inspection.seams[a]) > radius_at(inspection.seams[b]);
     });
+    constexpr std::size_t most = 10;
+    const std::size_t others = seams.size() - std::min(seams.size(), most);
+    seams.resize(seams.size() - others);
     std::string text;
     for (const std::uint32_t seam : seams) {
         const double radius = radius_at(inspection.seams[seam]);
         text += (text.empty() ? "seam " : ", seam ") + std::to_string(seam + 1);
         if (radius > 0) text += " (R " + short_number(radius, 3) + " mm)";
     }
+    if (others > 0) text += "; and " + std::to_string(others) + " more";
     return text;
 }
 

@@ -28,7 +28,8 @@ std::string sight_text(const TriageItem& fault, const Inspection& inspection);
 
 /// The other findings of a fault, at most two of each seam or face: "also face 2 | face 47: gap of
 /// 0.026 mm, kink of 0.52°". Of the seam or face that leads the fault its first finding is left
-/// out. Of jumps too fine for an eye all stretches by falling radius. Empty without anything else.
+/// out. Of jumps too fine for an eye ten stretches at most, by falling radius. Empty without
+/// anything else.
 std::string also_text(const TriageItem& fault, const Inspection& inspection);
 
 } // namespace keiko

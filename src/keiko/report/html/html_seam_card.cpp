@@ -49,7 +49,7 @@ std::string angle_measure(const MeasuredSeam& seam, double left) {
         return measure(
             "angle", name_of(angle.verdict), fixed_number(left, 3) + "°",
             "where the crease ends, limit " + short_number(angle.limit) + "°" + lamp_shift(left),
-            share_of_limit(angle));
+            left / angle.limit);
     const std::string value = fixed_number(angle.value, 3) + "°";
     if (seam.kind == SeamClass::crease)
         return measure("angle", "crease", value, "a crease, not judged", 1);

@@ -94,9 +94,8 @@ std::string_view introduction(const Report& report) {
            "in arc minutes, that is as easily seen along one degree. A change of a stripe's width "
            "counts a twelfth of a tear. A gap counts half of the angle that is as far over its "
            "limit, and a hole too. In the pictures yellow dots are the seams of a fault, and a "
-           "ring "
-           "is about a hole or a face. Cards are red at the side where a limit is not kept, amber "
-           "where it is undecided or not judged.</p>";
+           "ring is about a hole or a face. Cards are red at the side where a limit is not kept, "
+           "amber where it is undecided or not judged.</p>";
 }
 
 /// The card of an item of the first screen.
@@ -141,7 +140,7 @@ std::string html_hidden(const Report& report) {
         "<p class=\"soft\">No standing view shows more than a hundredth of their length from "
         "outside: flanges, hems, inner sides. Findings among them have their part in the "
         "verdict.</p>" +
-            table_of(hidden, 1, whole_inspection(report)));
+            table_of(hidden, report.triage.items.size() + 1, whole_inspection(report)));
 }
 
 } // namespace keiko

@@ -124,10 +124,12 @@ bool is_judged(const Json& finding) {
     return finding.at("severity") == "judged";
 }
 
-/// Numbers of the judged findings of an item.
+/// Numbers of the judged findings of an item. Hidden faults are numbered on after the others.
 std::vector<std::size_t> findings_of_item(const Json& report, std::size_t item) {
     if (!report.contains("triage")) return {item};
-    const Json& fault = numbered(report.at("triage").at("items"), item, "fault");
+    Json faults = report.at("triage").at("items");
+    for (const Json& hidden : report.at("triage").at("hidden")) faults.push_back(hidden);
+    const Json& fault = numbered(faults, item, "fault");
     std::vector<std::size_t> judged;
     for (const Json& number : fault.at("findings")) {
         const std::size_t finding = number.get<std::size_t>();

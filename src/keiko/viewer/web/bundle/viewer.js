@@ -3190,15 +3190,15 @@ var PickPanel = class {
     byId("note").replaceChildren();
     if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
     this.last = at;
-    const name = face ? `${face.id} ${face.name}` : "ground", show = (proof) => showPairs(byId("pick"), [
+    const name = face ? `${face.id} ${face.name}` : "ground", show = (proof, proving) => showPairs(byId("pick"), [
       ["face", name],
       ["place", `${numbers(proof ? proof.place : at.place, 3)} mm`],
-      ["proved to", proof ? boundText(proof) : "…"],
+      ["proved to", proof ? boundText(proof) : proving],
       ["normal", numbers(at.normal, 4)],
       ["radii", at.radii.map((radius, i) => proof ? rangeText(proof.curvatures[i], radius) : radiusText(radius)).join(", ")],
       ...before ? [["from the last", apartText(before, at)]] : []
     ]);
-    show(null);
+    show(null, "…");
     if (face) byId("note").replaceChildren(noteField(at.place, face.id, (note) => this.host.addNote(note)));
     this.running = new AbortController();
     void this.prove(at, show, this.running.signal);
@@ -3208,9 +3208,11 @@ var PickPanel = class {
 ${hiddenText(this.host.hidden())}`;
     try {
       const { picked } = await (await ask("POST", "/pick", requestText(camera, void 0, more), signal)).json();
-      if (picked && !signal.aborted) show(picked);
+      if (!signal.aborted) show(picked, "nothing");
     } catch (error) {
-      if (!signal.aborted) this.host.fail(error);
+      if (signal.aborted) return;
+      show(null, "nothing");
+      this.host.fail(error);
     }
   }
 };
@@ -3236,13 +3238,19 @@ function radiusText(radius) {
 function rangeText(range, radius) {
   if (!range) return `${radiusText(radius)}, not proved`;
   const [low, high2] = range, least = 1 / Math.max(Math.abs(low), Math.abs(high2));
-  if (low <= 0 && high2 >= 0 || least > flat) return `flat: more than ${Math.min(least, 1e12).toPrecision(3)} mm`;
+  if (low <= 0 && high2 >= 0 && least <= flat) return `more than ${least.toPrecision(3)} mm either way`;
+  if (least > flat) return `flat: more than ${Math.min(least, 1e12).toPrecision(3)} mm`;
   const middle2 = (1 / low + 1 / high2) / 2, bound = Math.max(Math.abs(1 / low - 1 / high2) / 2, 1e-15 * Math.abs(middle2));
   const digits = Math.min(Math.max(-Math.floor(Math.log10(bound)), 0), 6);
-  return `${Math.abs(middle2).toFixed(digits)} ± ${bound.toPrecision(1)} mm ${sideOf(middle2)}`;
+  return `${Math.abs(middle2).toFixed(digits)} ± ${boundDigits(bound + 0.5 * 10 ** -digits)} mm ${sideOf(middle2)}`;
+}
+function boundDigits(bound) {
+  if (!(bound > 0)) return "0";
+  const unit2 = 10 ** Math.floor(Math.log10(bound));
+  return (Math.ceil(bound / unit2) * unit2).toPrecision(1);
 }
 function boundText({ bound, unique }) {
-  return `${bound.toPrecision(1)} mm${unique ? ", the only hit of its surface piece" : ""}`;
+  return `${boundDigits(bound)} mm${unique ? ", the only hit of its surface piece" : ""}`;
 }
 function apartText(a, b) {
   const angle = Math.atan2(length(cross(a.normal, b.normal)), dot(a.normal, b.normal)) * 180 / Math.PI;
@@ -3433,6 +3441,7 @@ var SeamsPanel = class {
   async judged() {
     this.host.tell("judging the seams");
     const { seams } = await (await ask("GET", "/seams")).json();
+    if (seams.some((seam) => !seam.course)) throw new Error("the report is of an earlier version: its seams have no course");
     const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || b.severity - a.severity || a.number - b.number);
     this.host.tell(`${seams.length} stretches of seams, the worst first`);
     this.head.replaceChildren(button("over the picture", () => this.toggle()));

@@ -33,25 +33,27 @@ export class PickPanel {
     byId("note").replaceChildren();
     if (!at) return showPairs(byId("pick"), [["nothing", ""]]);
     this.last = at;
-    const name = face ? `${face.id} ${face.name}` : "ground", show = (proof: Proof | null): void => showPairs(byId("pick"), [
-      ["face", name], ["place", `${numbers(proof ? proof.place : at.place, 3)} mm`], ["proved to", proof ? boundText(proof) : "…"],
+    const name = face ? `${face.id} ${face.name}` : "ground", show = (proof: Proof | null, proving: string): void => showPairs(byId("pick"), [
+      ["face", name], ["place", `${numbers(proof ? proof.place : at.place, 3)} mm`], ["proved to", proof ? boundText(proof) : proving],
       ["normal", numbers(at.normal, 4)],
       ["radii", at.radii.map((radius, i) => proof ? rangeText(proof.curvatures[i], radius) : radiusText(radius)).join(", ")],
       ...before ? [["from the last", apartText(before, at)] as [string, string]] : [],
     ]);
-    show(null);
+    show(null, "…");
     if (face) byId("note").replaceChildren(noteField(at.place, face.id, (note) => this.host.addNote(note)));
     this.running = new AbortController();
     void this.prove(at, show, this.running.signal);
   }
 
-  private async prove({ camera, pixel }: Picked, show: (proof: Proof) => void, signal: AbortSignal): Promise<void> {
+  private async prove({ camera, pixel }: Picked, show: (proof: Proof | null, proving: string) => void, signal: AbortSignal): Promise<void> {
     const more = `pixel = [${pixel.join(", ")}]\n${hiddenText(this.host.hidden())}`;
     try {
       const { picked }: { picked: Proof | null } = await (await ask("POST", "/pick", requestText(camera, undefined, more), signal)).json();
-      if (picked && !signal.aborted) show(picked);
+      if (!signal.aborted) show(picked, "nothing");
     } catch (error) {
-      if (!signal.aborted) this.host.fail(error);
+      if (signal.aborted) return;
+      show(null, "nothing");
+      this.host.fail(error);
     }
   }
 }
@@ -82,14 +84,22 @@ function radiusText(radius: number): string {
 function rangeText(range: Range, radius: number): string {
   if (!range) return `${radiusText(radius)}, not proved`;
   const [low, high] = range, least = 1 / Math.max(Math.abs(low), Math.abs(high));
-  if (low <= 0 && high >= 0 || least > flat) return `flat: more than ${Math.min(least, 1e12).toPrecision(3)} mm`;
+  if (low <= 0 && high >= 0 && least <= flat) return `more than ${least.toPrecision(3)} mm either way`;
+  if (least > flat) return `flat: more than ${Math.min(least, 1e12).toPrecision(3)} mm`;
   const middle = (1 / low + 1 / high) / 2, bound = Math.max(Math.abs(1 / low - 1 / high) / 2, 1e-15 * Math.abs(middle));
   const digits = Math.min(Math.max(-Math.floor(Math.log10(bound)), 0), 6);
-  return `${Math.abs(middle).toFixed(digits)} ± ${bound.toPrecision(1)} mm ${sideOf(middle)}`;
+  return `${Math.abs(middle).toFixed(digits)} ± ${boundDigits(bound + 0.5 * 10 ** -digits)} mm ${sideOf(middle)}`;
+}
+
+/** A bound with one digit, rounded up. */
+function boundDigits(bound: number): string {
+  if (!(bound > 0)) return "0";
+  const unit = 10 ** Math.floor(Math.log10(bound));
+  return (Math.ceil(bound / unit) * unit).toPrecision(1);
 }
 
 function boundText({ bound, unique }: Proof): string {
-  return `${bound.toPrecision(1)} mm${unique ? ", the only hit of its surface piece" : ""}`;
+  return `${boundDigits(bound)} mm${unique ? ", the only hit of its surface piece" : ""}`;
 }
 
 /** Distance and angle between two places in words. */

@@ -68,6 +68,7 @@ export class SeamsPanel {
   private async judged(): Promise<Seam[]> {
     this.host.tell("judging the seams");
     const { seams }: { seams: Seam[] } = await (await ask("GET", "/seams")).json();
+    if (seams.some((seam) => !seam.course)) throw new Error("the report is of an earlier version: its seams have no course");
     const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || b.severity - a.severity || a.number - b.number);
     this.host.tell(`${seams.length} stretches of seams, the worst first`);
     this.head.replaceChildren(button("over the picture", () => this.toggle()));
