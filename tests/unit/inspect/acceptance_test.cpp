@@ -94,7 +94,7 @@ TEST(Acceptance, DoesNotCoverACloserLimit) {
     }
 }
 
-/// Of a smallest value a closer limit is larger.
+/// A closer limit of a smallest value is larger.
 TEST(Acceptance, OfASmallestValueDoesNotCoverALargerLimit) {
     Check draft;
     draft.code = "KEIKO-DRAFT", draft.worst.value = 0.4, draft.worst.limit = 0.5;

@@ -113,6 +113,49 @@ TEST(AreaPenumbra, PolyhedronBehindPlatesMeetsTheOracle) {
     }
 }
 
+/// A rectangle above the origin, parallel to the ground.
+std::vector<Vec3> level_rectangle(double half_x, double half_y, double z) {
+    return {{-half_x, -half_y, z}, {half_x, -half_y, z}, {half_x, half_y, z}, {-half_x, half_y, z}};
+}
+
+double seen_share(const PolygonLight& light, const SurfaceModel& model,
+                  const WidthOptions& options) {
+    const Tracer tracer(model);
+    const Occluders occluders(model, tracer);
+    const OccludedVisibility visible(&occluders, tracer, Viewpoint::at(Vec3(0)), bounds_of(light),
+                                     {}, Vec3(0, 0, 1));
+    return visible_share(light, Vec3(0), {0, 0, 1}, visible, options);
+}
+
+TEST(AreaPenumbra, ACeilingHidesNothingOfAPanelThatIsFlushWithIt) {
+    ShapeBuilder shapes;
+    add_plate(level_rectangle(3000, 3000, 3000), shapes);
+    const PolygonLight light{level_rectangle(1000, 1000, 3000), Rgb(1), true};
+    EXPECT_EQ(seen_share(light, shapes.model(), of_numbers), 1);
+    EXPECT_EQ(seen_share(light, shapes.model(), {3e-3, 1, true}), 1);
+}
+
+/// A bar of 300 mm halfway to a panel of 4 m hides the strip of 600 mm, along or across the lines.
+TEST(AreaPenumbra, ABarIsFoundWithTheAccuracyOfPictures) {
+    const PolygonLight light{level_rectangle(2000, 2000, 3000), Rgb(1), true};
+    const double whole = projected_solid_angle(light, Vec3(0), {0, 0, 1});
+    for (const double off : {0.0, 300.0, 410.0})
+        for (const bool along : {false, true}) {
+            ShapeBuilder shapes;
+            std::vector<Vec3> bar =
+                along ? level_rectangle(2000, 150, 1500) : level_rectangle(150, 2000, 1500);
+            const Vec3 shift = along ? Vec3(0, off, 0) : Vec3(off, 0, 0);
+            for (Vec3& corner : bar) corner += shift;
+            add_plate(bar, shapes);
+            std::vector<Vec3> strip =
+                along ? level_rectangle(2000, 300, 3000) : level_rectangle(300, 2000, 3000);
+            for (Vec3& corner : strip) corner += shift * 2;
+            const PolygonLight hidden{strip, Rgb(1), true};
+            const double exact = 1 - projected_solid_angle(hidden, Vec3(0), {0, 0, 1}) / whole;
+            EXPECT_NEAR(seen_share(light, shapes.model(), {3e-3, 1, true}), exact, 3e-3) << off;
+        }
+}
+
 /// A body of two faces between a receiver at 0 and lights above: a sphere and a sail.
 SurfaceModel sphere_and_sail() {
     ShapeBuilder shapes;

@@ -127,18 +127,19 @@ std::optional<AreaHit> area_hit(const SphereLight& light, const Vec3& origin, co
     const Disc outline = outline_of(light, origin);
     const auto foot = footprint_on(outline.center, outline.normal, origin, direction, spread);
     if (!foot) return std::nullopt;
+    const double t = entry_of(light, origin, direction);
     const Vec2 center = foot->place(outline.center);
     const double area = foot->area();
-    if (area == 0) return hit_of(foot->t, center.length() < outline.radius ? 1 : 0);
+    if (area == 0) return hit_of(t, center.length() < outline.radius ? 1 : 0);
     const std::array<Vec2, 4> corners = foot->corners();
     // Far from the rim the sectors of a small footprint are nothing but rounding.
     const double reach = std::max(corners[0].length(), corners[1].length());
     if (center.length() > outline.radius + reach) return std::nullopt;
-    if (center.length() < outline.radius - reach) return AreaHit{foot->t, 1};
+    if (center.length() < outline.radius - reach) return AreaHit{t, 1};
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
         sum += area_in_circle(corners[i] - center, corners[(i + 1) % 4] - center, outline.radius);
-    return hit_of(foot->t, sum / area);
+    return hit_of(t, sum / area);
 }
 
 } // namespace keiko

@@ -9,7 +9,7 @@ namespace keiko {
 
 /// A light on a ray, or on the rays of a pixel.
 struct AreaHit {
-    double t = 0;        ///< distance of the light's plane, in lengths of the ray's direction
+    double t = 0;        ///< distance of the light, in lengths of the ray's direction
     double coverage = 0; ///< share of the pixel's footprint that the light fills, above 0 to 1
 };
 

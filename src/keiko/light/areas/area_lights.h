@@ -5,10 +5,16 @@
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
+#include <algorithm>
+#include <cmath>
 #include <concepts>
 #include <vector>
 
 namespace KEIKO_API keiko {
+
+/// Share of a distance within which a light lies in a surface, as a panel flush with a ceiling. The
+/// light is in front.
+constexpr double flush = 1e-6;
 
 /// A plane panel of uniform luminance in all directions: an LED panel, a light box, a screen.
 struct PolygonLight {
@@ -34,6 +40,15 @@ struct SphereLight {
 
     bool operator==(const SphereLight&) const = default;
 };
+
+/// Distance, in lengths of `direction`, at which a ray enters a sphere; of one that misses it to
+/// the place nearest to it. The origin is outside.
+inline double entry_of(const SphereLight& light, const Vec3& origin, const Vec3& direction) {
+    const Vec3 way = light.center - origin;
+    const double along = way.dot(direction), square = direction.length2();
+    const double inside = along * along - square * (way.length2() - light.radius * light.radius);
+    return (along - std::sqrt(std::max(inside, 0.0))) / square;
+}
 
 /// Lights with an area that are no tubes.
 template <class Light>

@@ -42,8 +42,11 @@ double AreaWidth::wedge_angle(const Vec3& way) const {
 }
 
 Segment AreaWidth::line_of(const SubAxis& axis) const {
-    const Vec3 start = foot_ + across_ * (axis.r * axis.sine);
-    return {start + along_ * extent_.begin, start + along_ * extent_.end};
+    // In front of the source, as a surface that the source is flush with hides nothing of it.
+    const Vec3 start =
+        point_ + ahead_ * distance_ * (1 - flush) + across_ * (axis.r * axis.sine * (1 - flush));
+    const Vec3 along = along_ * (1 - flush);
+    return {start + along * extent_.begin, start + along * extent_.end};
 }
 
 double AreaWidth::level(const SubAxis& axis) const {
@@ -160,14 +163,16 @@ std::optional<SphereWidth> SphereWidth::of(const SphereLight& light, const Vec3&
     const Disc outline = outline_of(light, point);
     const Vec3 level = outline.normal.cross(normal);
     const Vec3 along = level.length() > edge_on ? level : any_perpendicular(outline.normal);
-    SphereWidth width(outline, along.normalized(), point, normal);
+    SphereWidth width(light, outline, along.normalized(), point, normal);
     if (!(width.half_ > 0) || !(width.distance() > 0)) return std::nullopt;
     return width;
 }
 
-SphereWidth::SphereWidth(const Disc& outline, const Vec3& along, const Vec3& point,
-                         const Vec3& normal)
-    : AreaWidth(outline.center, -outline.normal, along, point, normal), radius_(outline.radius) {
+SphereWidth::SphereWidth(const SphereLight& light, const Disc& outline, const Vec3& along,
+                         const Vec3& point, const Vec3& normal)
+    : AreaWidth(outline.center, -outline.normal, along, point, normal),
+      light_(light),
+      radius_(outline.radius) {
     set_extent({-radius_, radius_});
     // The horizon runs along the lines. It is met where elevation({0, v}) is 0.
     const double slope = n_across() * radius_, height = n_ahead() * distance();

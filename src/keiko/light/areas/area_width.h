@@ -23,8 +23,8 @@ public:
     std::vector<ParameterInterval> elevations(const SubAxis& axis) const;
     /// Projected solid angle, by the wedge angle and the half tangent of an elevation.
     double light_rate(const SubAxis& axis, double half_tangent) const;
-    /// Place in the plane at an elevation, given by its half tangent, in the half-plane of a line.
-    Vec3 place(const SubAxis& axis, double half_tangent) const {
+    /// Place of the source at an elevation, given by its half tangent, in the half-plane of a line.
+    virtual Vec3 place(const SubAxis& axis, double half_tangent) const {
         const double t = half_tangent;
         return point_ + direction(axis, t) * (axis.r * (1 + t * t) / (1 - t * t));
     }
@@ -49,6 +49,7 @@ protected:
     }
     /// Wedge angle of a direction from the point.
     double wedge_angle(const Vec3& way) const;
+    const Vec3& point() const { return point_; }
     double distance() const { return distance_; }
     double n_across() const { return n_across_; }
     double n_ahead() const { return n_ahead_; }
@@ -94,12 +95,18 @@ public:
     SubAxis sub_axis(double place) const override;
     std::vector<double> cuts() const override { return {-1, 1}; }
     double place_in(const Vec3& way) const override;
+    Vec3 place(const SubAxis& axis, double half_tangent) const override {
+        const Vec3 way = direction(axis, half_tangent);
+        return point() + way * entry_of(light_, point(), way);
+    }
 
 private:
-    SphereWidth(const Disc& outline, const Vec3& along, const Vec3& point, const Vec3& normal);
+    SphereWidth(const SphereLight& light, const Disc& outline, const Vec3& along, const Vec3& point,
+                const Vec3& normal);
     std::vector<ParameterInterval> chords(double v) const override;
 
-    double radius_;
+    SphereLight light_;
+    double radius_;                ///< of the outline
     double middle_ = 0, half_ = 0; ///< angle of place 0, and from there to place 1
 };
 

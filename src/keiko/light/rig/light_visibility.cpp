@@ -59,7 +59,9 @@ public:
 
     template <AreaLight Light>
     std::vector<LightVisibility> operator()(const Light& light) const {
-        const double share = visible_share(light, point_, normal_, visible_, accuracy());
+        WidthOptions of_area = accuracy(); // a panel of metres may have a bar between any lines
+        of_area.between_lines = true;
+        const double share = visible_share(light, point_, normal_, visible_, of_area);
         return {{share > 0 ? IntervalSet::whole() : IntervalSet(), share}};
     }
 

@@ -38,7 +38,7 @@ RigAreas::Visible RigAreas::along(const Vec3& origin, const Vec3& direction,
     for (const LightSource& source : lights_)
         use_area(source, [&](const auto& light) {
             const auto hit = area_hit(light, origin, direction, spread);
-            if (hit && hit->t < t_max) layers.push_back({*hit, light.luminance});
+            if (hit && hit->t * (1 - flush) < t_max) layers.push_back({*hit, light.luminance});
         });
     if (layers.empty()) return {};
     std::stable_sort(layers.begin(), layers.end(),

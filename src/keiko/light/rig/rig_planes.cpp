@@ -66,15 +66,17 @@ MirroredLight RigPlanes::luminance(const std::optional<RigPlaneHit>& nearest, co
                                    double t_max) const {
     FrontToBack rows;
     bool resolved = true;
+    double t = std::numeric_limits<double>::infinity();
     for (auto on = nearest; on && on->at.t <= t_max; on = next(origin, direction, on)) {
         const CPlaneFrame& frame = *on->frame;
         const Plane& plane = planes_[on->number];
         const Footprint footprint = spread ? footprint_on(frame, on->at, *spread) : Footprint();
         const LampCoverage row = look_up(frame, on->at, origin, direction, footprint, plane.mirror);
+        if (row.coverage > 0) t = std::min(t, on->at.t);
         rows.add(plane.luminance, row.coverage);
         resolved = resolved && (row.resolved || row.coverage == 0);
     }
-    return {rows.light, rows.opacity, resolved};
+    return {rows.light, rows.opacity, resolved, t};
 }
 
 bool RigPlanes::are_missed_by(const RayCone& rays) const {

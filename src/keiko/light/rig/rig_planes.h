@@ -30,6 +30,8 @@ struct MirroredLight {
     Rgb luminance;        ///< cd/m2, mean over the pixel; darkness between the lamps
     double coverage = 0;  ///< share of the pixel that lamps fill; the background fills the rest
     bool resolved = true; ///< false: some stripes are too fine and show their mean
+    /// Distance to the nearest row that has a lamp in the pixel, in lengths of the direction.
+    double t = std::numeric_limits<double>::infinity();
 };
 
 /// Intersection of a ray with the nearest C-plane of a rig, inside its rectangle or not.

@@ -120,6 +120,7 @@ bool LampReflections::find_lamps(const Pixel& pixel, int parts, MirroredLight& l
         if (light.coverage > 0) return false;
         light.luminance = planes[i].luminance * coverage;
         light.coverage = coverage;
+        light.t = looks.t[pixel.lane];
     }
     return true;
 }

@@ -34,6 +34,7 @@ MirroredLight mean_over(const RigPlanes& planes, const ReflectedFootprint& pixel
             mean.luminance += seen.luminance;
             mean.coverage += seen.coverage;
             mean.resolved = mean.resolved && seen.resolved;
+            mean.t = std::min(mean.t, seen.t);
         }
     mean.luminance *= 1.0 / (parts * parts);
     mean.coverage /= parts * parts;

@@ -56,7 +56,7 @@ bool Integrator::shade(PathState& path, const PathVertex& met, int depth, const 
                        SampleBatch& view) const {
     PixelSample& sample = view.samples[path.sample];
     record_aovs(met, depth, sample);
-    add_lights(path, met, depth, shafts, sample);
+    add_lights(path, met, shafts, sample);
     pass_medium(path, met, shafts, sample);
     if (!met.hit) {
         sample.luminance +=
@@ -117,18 +117,15 @@ void Integrator::note_mirrored(const PathVertex& met, PixelSample& sample) {
 }
 
 /// Adds the rows of lamps that a reflected ray meets, and the panels and spheres that any ray does.
-void Integrator::add_lights(PathState& path, const PathVertex& met, int depth,
-                            const VisibleFrom& shafts, PixelSample& sample) const {
+void Integrator::add_lights(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
+                            PixelSample& sample) const {
     const Ray& ray = met.ray;
-    const auto& plane = met.mirror.plane;
-    const double row_at = plane ? plane->at.t : 0;
-    const auto add_rows = [&] {
-        if (depth > 0) add_light_at(row_at, met.mirror.lamps, path, ray, shafts, sample);
-    };
+    const MirroredLight& rows = met.mirror.lamps; // none before the camera
+    const auto add_rows = [&] { add_light_at(rows.t, rows, path, ray, shafts, sample); };
     if (areas_.empty()) return add_rows();
     const RigAreas::Visible areas = areas_.along(ray.origin, ray.direction, ray.differentials,
                                                  met.hit ? met.hit->t : ray.t_max);
-    const bool areas_first = plane && areas.t < row_at;
+    const bool areas_first = areas.t < rows.t;
     if (!areas_first) add_rows();
     add_light_at(areas.t, areas.light, path, ray, shafts, sample);
     if (areas_first) add_rows();

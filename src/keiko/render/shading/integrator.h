@@ -147,7 +147,7 @@ private:
     bool takes_light(std::uint32_t paint, int depth) const;
     ShadingPoint shading_point_at(const PathState& path, const PathVertex& met, int depth) const;
     static void note_mirrored(const PathVertex& met, PixelSample& sample);
-    void add_lights(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
+    void add_lights(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
                     PixelSample& sample) const;
     void add_light_at(double t, const MirroredLight& light, PathState& path, const Ray& ray,
                       const VisibleFrom& shafts, PixelSample& sample) const;

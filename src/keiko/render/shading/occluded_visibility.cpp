@@ -93,6 +93,7 @@ std::optional<std::size_t> OccludedVisibility::place_in_row(const Segment& segme
 }
 
 std::vector<IntervalSet> OccludedVisibility::intervals(std::span<const Segment> segments) const {
+    check_stop();
     if (!occluders_) return std::vector<IntervalSet>(segments.size(), IntervalSet::whole());
     return seen_by(view(), segments);
 }
