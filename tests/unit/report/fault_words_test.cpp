@@ -73,16 +73,17 @@ TEST(FaultWords, APatchToRebuildAndACreaseThatEndsAreNamed) {
 
 TEST(FaultWords, JumpsTooFineForAnEyeStandByFallingRadius) {
     Report any = report();
-    any.inspection.seams.resize(3);
-    for (const auto& [seam, radius] : {std::pair(0, 15.0), {1, 40.0}}) {
+    any.inspection.seams.resize(4);
+    for (const auto& [seam, radius] : {std::pair(0, 15.0), {1, 40.0}, {2, 3270.4}}) {
         CurvatureStep step;
         step.curvature_b = -1 / radius;
         any.inspection.seams[std::size_t(seam)].curvature = step;
     }
-    any.inspection.seams[2].curvature.reset();
+    any.inspection.seams[3].curvature.reset();
     TriageItem fault;
-    fault.findings = {0}, fault.seams = {0, 1, 2}, fault.fine = true;
-    EXPECT_EQ(also_text(fault, any.inspection), "seam 2 (R 40 mm), seam 1 (R 15 mm), seam 3");
+    fault.findings = {0}, fault.seams = {0, 1, 2, 3}, fault.fine = true;
+    EXPECT_EQ(also_text(fault, any.inspection),
+              "seam 3 (R 3270 mm), seam 2 (R 40 mm), seam 1 (R 15 mm), seam 4");
     fault.seams.assign(12, 1);
     const std::string many = also_text(fault, any.inspection);
     EXPECT_EQ(many.substr(many.find(';')), "; and 2 more");

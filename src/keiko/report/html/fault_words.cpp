@@ -133,7 +133,9 @@ std::string by_radius(const TriageItem& fault, const Inspection& inspection) {
     for (const std::uint32_t seam : seams) {
         const double radius = radius_at(inspection.seams[seam]);
         text += (text.empty() ? "seam " : ", seam ") + std::to_string(seam + 1);
-        if (radius > 0) text += " (R " + short_number(radius, 3) + " mm)";
+        if (radius > 0)
+            text += " (R " + (radius < 1000 ? short_number(radius, 3) : fixed_number(radius, 0)) +
+                    " mm)";
     }
     if (others > 0) text += "; and " + std::to_string(others) + " more";
     return text;
