@@ -127,7 +127,7 @@ PartsRun merge_parts(const fs::path& output) {
     withdraw_reports(output, record_file);
     constexpr RunMembers<PartsRun, PartOutcome> members{&PartsRun::key, &PartsRun::all,
                                                         &PartsRun::parts};
-    const PartsRun merged =
+    PartsRun merged =
         joined_run(shard_folders({&output, 1}, record_file), members, [](const fs::path& folder) {
             const fs::path file = folder / record_file;
             return parse_parts(read_file(file), file.string());
