@@ -25,10 +25,6 @@ struct Piece {
     }
 };
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// True if the control points leave the chord by no more than a hundredth of it, in its direction
 /// too.
 bool is_straight(const Piece& piece) {
@@ -39,7 +35,7 @@ bool is_straight(const Piece& piece) {
         const Vec2 off = Vec2(p.x, p.y) / p.z - from;
         constexpr double share = 0.01;
         const double along = off.dot(chord) / square;
-        return std::abs(cross(chord, off)) <= share * square && along > -share && along < 1 + share;
+        return std::abs(chord.cross(off)) <= share * square && along > -share && along < 1 + share;
     });
 }
 
@@ -75,11 +71,11 @@ private:
         constexpr int steps = 12;
         for (int k = 0; k < steps; ++k) {
             const auto p = evaluate(a_, s, 1), q = evaluate(b_, t, 1);
-            const double determinant = cross(p[1], q[1]);
+            const double determinant = p[1].cross(q[1]);
             // Parallel curves touch or lie on each other.
             if (!(std::abs(determinant) > 1e-7 * p[1].length() * q[1].length())) return;
             const Vec2 gap = q[0] - p[0];
-            s += cross(gap, q[1]) / determinant, t += cross(gap, p[1]) / determinant;
+            s += gap.cross(q[1]) / determinant, t += gap.cross(p[1]) / determinant;
             if (!(s >= -1 && s <= 2 && t >= -1 && t <= 2)) return;
         }
         // A crossing on the border of two pieces is found by both.

@@ -12,10 +12,6 @@
 namespace keiko {
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// Footprint of a pixel on a plane, in a frame of the plane about the centre's hit.
 struct PlaneFootprint {
     double t = 0; ///< of the centre's ray
@@ -24,7 +20,7 @@ struct PlaneFootprint {
 
     Vec2 place(const Vec3& at) const { return {x.dot(at - hit), y.dot(at - hit)}; }
     /// Area of the parallelogram, signed.
-    double area() const { return cross(dx, dy); }
+    double area() const { return dx.cross(dy); }
     std::array<Vec2, 4> corners() const {
         const Vec2 right = dx / 2, up = dy / 2;
         return {right * -1 - up, right - up, right + up, up - right};
@@ -67,7 +63,7 @@ double area_in_square(std::vector<Vec2> corners) {
     }
     double twice = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
-        twice += cross(corners[i], corners[(i + 1) % corners.size()]);
+        twice += corners[i].cross(corners[(i + 1) % corners.size()]);
     return std::abs(twice) / 2;
 }
 
@@ -84,7 +80,7 @@ bool holds_zero(std::span<const Vec2> corners) {
 /// Signed area between a side from a to b and the centre of a circle about 0, inside of it.
 double area_in_circle(const Vec2& a, const Vec2& b, double radius) {
     const auto sector = [&](const Vec2& from, const Vec2& to) {
-        return radius * radius / 2 * std::atan2(cross(from, to), from.dot(to));
+        return radius * radius / 2 * std::atan2(from.cross(to), from.dot(to));
     };
     const Vec2 way = b - a;
     const double length2 = way.dot(way), half = a.dot(way);
@@ -94,8 +90,7 @@ double area_in_circle(const Vec2& a, const Vec2& b, double radius) {
     const double leave = (-half + std::sqrt(root)) / length2;
     if (!(enter < 1) || !(leave > 0)) return sector(a, b);
     const Vec2 from = a + way * std::max(enter, 0.0), to = a + way * std::min(leave, 1.0);
-    return (enter > 0 ? sector(a, from) : 0) + cross(from, to) / 2 +
-           (leave < 1 ? sector(to, b) : 0);
+    return (enter > 0 ? sector(a, from) : 0) + from.cross(to) / 2 + (leave < 1 ? sector(to, b) : 0);
 }
 
 std::optional<AreaHit> hit_of(double t, double coverage) {
@@ -117,7 +112,7 @@ std::optional<AreaHit> area_hit(const PolygonLight& light, const Vec3& origin,
     const double area = foot->area();
     if (area == 0) return hit_of(foot->t, holds_zero(corners) ? 1 : 0);
     for (Vec2& corner : corners)
-        corner = {cross(corner, foot->dy) / area, cross(foot->dx, corner) / area};
+        corner = {corner.cross(foot->dy) / area, foot->dx.cross(corner) / area};
     return hit_of(foot->t, area_in_square(std::move(corners)));
 }
 

@@ -3,7 +3,6 @@
 #include "keiko/report/html/html_sections.h"
 #include "keiko/report/markup/html_text.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 #include <span>
@@ -77,12 +76,12 @@ std::string row(std::size_t number, const TriageItem& fault, const Inspection& w
 }
 
 /// Faults in a table, numbered from `first` on.
-std::string table_of(std::span<const TriageItem* const> faults, std::size_t first,
+std::string table_of(std::span<const TriageItem> faults, std::size_t first,
                      const Inspection& whole) {
     std::string html = html_table_head(
         {"#", "fault", "worst", "faces", "weight", "seen from", "length mm", "place x, y, z"},
         {"fault", "faces", "seen from"});
-    for (std::size_t i = 0; i < faults.size(); ++i) html += row(first + i, *faults[i], whole);
+    for (std::size_t i = 0; i < faults.size(); ++i) html += row(first + i, faults[i], whole);
     return html + std::string(html_table_end);
 }
 
@@ -120,20 +119,15 @@ std::string html_first_screen(const Report& report) {
 }
 
 std::string html_more_faults(const Report& report) {
-    const std::vector<ShownItem> shown = shown_items(report);
-    std::vector<const TriageItem*> others;
-    for (const TriageItem& fault : report.triage.items)
-        if (std::none_of(shown.begin(), shown.end(),
-                         [&](const ShownItem& item) { return item.fault == &fault; }))
-            others.push_back(&fault);
-    if (others.empty()) return "";
-    return html_section("What comes after them",
-                        table_of(others, shown.size() + 1, whole_inspection(report)));
+    const std::span<const TriageItem> faults = report.triage.items;
+    if (faults.size() <= most_shown) return "";
+    return html_section(
+        "What comes after them",
+        table_of(faults.subspan(most_shown), most_shown + 1, whole_inspection(report)));
 }
 
 std::string html_hidden(const Report& report) {
-    std::vector<const TriageItem*> hidden;
-    for (const TriageItem& fault : report.triage.hidden) hidden.push_back(&fault);
+    const std::vector<TriageItem>& hidden = report.triage.hidden;
     if (hidden.empty()) return "";
     return html_section(
         "Faults in hidden places",
