@@ -4,7 +4,6 @@ import signal
 import subprocess
 import time
 import unittest
-from pathlib import Path
 
 from keiko_process import BINARY, SOURCE, KeikoTest, surface
 
@@ -101,14 +100,11 @@ class EveryCommand(KeikoTest):
     def test_inspect(self):
         self.ends(self.start("inspect", CAR, "-o", "out", *LARGE), "render")
 
-    def test_lines_on_a_body_as_large_as_an_orbit(self):
-        def scaled(line: str) -> str:
-            numbers = line.split("#")[0].split()
-            return " ".join(f"{float(x) * 1e12!r}" for x in numbers) if len(numbers) == 3 else line
-        saddle = Path(surface("saddle.bpt")).read_text().splitlines()
-        self.write("huge.bpt", "\n".join(map(scaled, saddle)) + "\n")
-        self.ends(self.start("lines", "huge.bpt", "--rig", str(SOURCE / "lightrigs/car-12.toml"),
-                             "--chord", "1e-6", "-o", "lines.json"), "lines")
+    def test_lines_of_a_thousand_lamps(self):
+        rig = (SOURCE / "lightrigs/car-12.toml").read_text()
+        self.write("many.toml", rig.replace("lamps = 12", "lamps = 1000")
+                   .replace("diameter = 60", "diameter = 1"))
+        self.ends(self.start("lines", CAR, "--rig", "many.toml", "-o", "lines.json"), "lines")
 
     def test_place(self):
         self.ends(self.start("place", CAR, "-o", "a.toml", "--samples", "4000000", *LARGE), "look")

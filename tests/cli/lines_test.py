@@ -7,10 +7,11 @@ import re
 import subprocess
 import unittest
 
-from keiko_process import ASLANT, SOURCE, KeikoTest, surface
+from keiko_process import ASLANT, BINARY, SOURCE, KeikoTest, surface
 
 HOLE = surface("trimmed-hole.step")
 TUNNEL = str(SOURCE / "lightrigs" / "tunnel-12.toml")
+CAR_RIG = str(SOURCE / "lightrigs" / "car-12.toml")
 SUN = """format = "keiko-rig/1"
 name = "sun alone"
 [sun]
@@ -92,6 +93,16 @@ class Lines(KeikoTest):
         run = self.keiko("lines", surface("hood.step"), "--rig", TUNNEL, "-o", "lines.json", "-q")
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         self.assertIn("no line crosses a seam: nothing is judged", run.stdout)
+
+    def test_a_body_as_large_as_an_orbit_is_done_in_a_moment(self):
+        def scaled(line: str) -> str:
+            numbers = line.split("#")[0].split()
+            return " ".join(f"{float(x) * 1e12!r}" for x in numbers) if len(numbers) == 3 else line
+        with open(surface("saddle.bpt")) as saddle:
+            self.write("huge.bpt", "\n".join(map(scaled, saddle.read().splitlines())) + "\n")
+        keiko = subprocess.run([BINARY, "lines", "huge.bpt", "--rig", CAR_RIG, "--chord", "1e-6",
+                                "-o", "lines.json", "-q"], cwd=self.folder, timeout=30)
+        self.assertEqual(keiko.returncode, 0)
 
     def test_csv_has_the_points_of_the_json(self):
         found = self.lines("--view", "high-front", "--view", "top", "--csv", "lines.csv")
