@@ -67,6 +67,7 @@ CHAMBERS = {
         "areas": {"penumbra"},
         "spotlight": {"luminance"},
         "fog": {"luminance"},
+        "glass": {"luminance", "fog"},
         "rig": {"tubes", "areas", "spotlight", "fog"},
     },
     "files": {

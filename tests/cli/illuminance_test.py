@@ -45,6 +45,25 @@ class Illuminance(KeikoTest):
                                    delta=1e-9)
             self.assertEqual(list(down.values()), ["0", "0", "0"])
 
+    def test_glass_dims_what_is_behind_it(self):
+        self.write("pane.bpt", "1\n1 1\n-300 -300 500\n300 -300 500\n-300 300 500\n300 300 500\n")
+        scene = """format = "keiko-scene/1"
+[[model]]
+file = "pane.bpt"
+material = { refractive_index = 1.5, glass = { absorption = 0.05, pane = 4 } }
+[[spotlight]]
+position = [0, 0, 2000]
+aim = [0, 0, 0]
+intensity = 400
+"""
+        point = "0,0,0,0,0,1\n"
+        dimmed, = self.rows(point, scene=scene)
+        shaded, = self.rows(point, scene=scene.replace("{ refractive_index", "{ diffuse = 0 } # ("))
+        crossing, mirrored = math.exp(-0.05 * 4), 0.04
+        passed = (1 - mirrored) ** 2 * crossing / (1 - (mirrored * crossing) ** 2)
+        self.assertAlmostEqual(float(dimmed["sum"]), 100 * passed, delta=1e-9)
+        self.assertEqual(float(shaded["sum"]), 0)
+
     def test_a_summary_has_mean_and_uniformity(self):
         points = "0,0,0,0,0,1\n200,0,0,0,0,1\n"
         lux = [float(row["sum"]) for row in self.rows(points)]

@@ -12,6 +12,11 @@ class Pictures(KeikoTest):
         self.succeed("render", HOOD, "-o", name, "-q", *SMALL, *arguments)
         return (self.folder / name).read_bytes()
 
+    def refused(self, *arguments: str, told: str):
+        run = self.keiko(*arguments)
+        self.assertEqual(run.returncode, 2, arguments)
+        self.assertIn(told, run.stderr)
+
     def test_a_png_of_the_size_asked_for(self):
         png = self.written("a.png")
         self.assertEqual(png[:8], b"\x89PNG\r\n\x1a\n")
@@ -40,6 +45,44 @@ class Pictures(KeikoTest):
         first = self.written("a.png", *base)
         for other in others:
             self.assertNotEqual(first, self.written("b.png", *other), other)
+
+    def test_two_eyes_see_two_pictures(self):
+        png = self.written("both.png", "--stereo", "side-by-side")
+        self.assertEqual(struct.unpack(">II", png[16:24]), (128, 36))
+        red_and_cyan = self.written("red.png", "--stereo", "anaglyph")
+        self.assertEqual(struct.unpack(">II", red_and_cyan[16:24]), (64, 36))
+        for other in (("--eye-distance", "30"), ("--screen-distance", "1800")):
+            self.assertNotEqual(red_and_cyan, self.written("b.png", "--stereo", "anaglyph", *other))
+        self.assertIn(b"depth.Z\0", self.written("both.exr", "--stereo", "side-by-side", "--aov",
+                                                 "depth"))
+        for options, told in (
+                (("--stereo", "anaglyph", "--aov", "depth"),
+                 "--aov: an anaglyph has no layers: --stereo side-by-side has"),
+                (("--stereo", "anaglyph", "--look", "zebra"),
+                 "--look zebra: shows the surface by itself, without --stereo"),
+                (("--eye-distance", "30"), "--eye-distance requires --stereo")):
+            name = "c.exr" if "--aov" in options else "c.png"
+            self.refused("render", HOOD, "-o", name, "-q", *SMALL, *options, told=told)
+
+    def test_eyes_that_can_hardly_fuse_are_warned_of(self):
+        run = self.keiko("render", HOOD, "-o", "a.png", *SMALL, "--stereo", "anaglyph",
+                         "--screen-distance", "20000")
+        self.assertEqual(run.returncode, 0)
+        self.assertRegex(run.stderr, r"the body's parallax reaches -[\d.e+]+ mm, more than half of the "
+                                     "eyes' distance")
+
+    def test_an_orthographic_camera_has_no_two_eyes(self):
+        scene = self.write("flat.toml", f"""format = "keiko-scene/1"
+[[model]]
+file = "{HOOD}"
+[camera]
+projection = "orthographic"
+orthographic_height = 900
+eye = [0, -900, 900]
+target = [700, 0, 0]
+""")
+        self.refused("render", scene, "-o", "a.png", "-q", "--stereo", "anaglyph",
+                     told="an orthographic camera has no eye to put two beside")
 
     def test_penumbrae_of_all_three_kinds_differ(self):
         self.write("scene.toml", 'format = "keiko-scene/1"\n'

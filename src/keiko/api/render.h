@@ -6,6 +6,8 @@
 #include "keiko/film/image_file.h"
 #include "keiko/render/shading/picture.h"
 #include "keiko/workflow/analysis_picture.h"
+#include "keiko/workflow/glass_deviation.h"
 #include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/open_scene.h"
+#include "keiko/workflow/render_stereo.h"
 #include "keiko/workflow/section_curvature.h"

@@ -6,6 +6,7 @@
 #include "keiko/cli/render_options.h"
 #include "keiko/cli/session.h"
 
+#include <cmath>
 #include <fstream>
 #include <iomanip>
 #include <map>
@@ -33,6 +34,9 @@ void render_look(const RenderArguments& arguments, const ChosenMode& chosen, con
     AnalysisOptions options = chosen.options;
     if (chosen.look == AnalysisMode::section)
         options.sections = section_curvatures(shown.seen(), view.camera, chosen.section, job);
+    if (chosen.look == AnalysisMode::distortion)
+        options.deviations =
+            glass_deviations(shown.seen(), shown.seen_materials(), view.camera, job);
     options.ground = 0;
     write_png(arguments.output, analysis_picture(chosen.look, film, view.camera, rig, options));
 }
@@ -54,6 +58,27 @@ void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye)
     log_warning(text.str());
 }
 
+/// Half the distance of the eyes is a rule of thumb for what is fused with ease.
+void warn_of_parallax(const Scene& scene, const Camera& camera, const Stereo& eyes) {
+    const double parallax = largest_parallax(camera, eyes, scene.tracer.bounds());
+    if (std::abs(parallax) <= eyes.eye_distance / 2) return;
+    std::ostringstream text;
+    text << std::setprecision(2) << "the body's parallax reaches " << parallax
+         << " mm, more than half of the eyes' distance, which is hard to fuse: take a "
+         << (parallax < 0 ? "nearer" : "farther") << " screen or a smaller distance of the eyes";
+    log_warning(text.str());
+}
+
+/// The film of the camera's eye, or of both eyes.
+Film render_eyes(const RenderArguments& arguments, const Scene& scene, const Scene& shown,
+                 const LightRig& rig, const Camera& camera, const PictureOptions& options,
+                 const Job& job) {
+    const auto stereo = arguments.stereo();
+    if (!stereo) return render_view(shown, rig, camera, options, job);
+    warn_of_parallax(scene, camera, stereo->eyes);
+    return render_stereo(shown, rig, camera, stereo->eyes, stereo->layout, options, job);
+}
+
 /// Renders the part that is shown under the lamps of the whole scene.
 void render_lamps(const RenderArguments& arguments, const Scene& scene, const Scene& shown,
                   const NamedView& view, const Job& job) {
@@ -63,7 +88,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Sc
     options.light_error = arguments.light_error, options.edge_samples = arguments.edge_samples;
     const ShownQuantity quantity = arguments.quantity();
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
-    const Film film = render_view(shown, rig, view.camera, options, job);
+    const Film film = render_eyes(arguments, scene, shown, rig, view.camera, options, job);
     if (arguments.false_color)
         write_png(arguments.output,
                   false_color_picture(film, arguments.scale(), arguments.iso_lines, quantity));

@@ -55,6 +55,12 @@ TubeModel RenderArguments::tubes() const {
     return penumbrae_ == "exact" ? TubeModel::automatic : PictureOptions().tubes;
 }
 
+std::optional<ChosenStereo> RenderArguments::stereo() const {
+    if (stereo_.empty()) return std::nullopt;
+    return ChosenStereo{stereo_ == "anaglyph" ? StereoLayout::anaglyph : StereoLayout::side_by_side,
+                        {.eye_distance = eye_distance_, .screen_distance = screen_distance_}};
+}
+
 /// "A:B"
 std::optional<Frames> RenderArguments::frames() const {
     if (frames_.empty()) return std::nullopt;
@@ -90,6 +96,8 @@ void RenderArguments::require() const {
     if (ev_ && !png) throw Error(file, "", "--ev is for a .png");
     if (tone_ != "linear" && !png) throw Error(file, "", "--tone is for a .png");
     if (!aovs_.empty() && png) throw Error(file, "", "--aov is for an .exr");
+    if (!aovs_.empty() && stereo_ == "anaglyph")
+        throw Error("", "--aov", "an anaglyph has no layers: --stereo side-by-side has");
     if (const auto chosen = look()) require_look(*chosen);
     aovs(), scale(), frames();
     require_place_for_file(output);
@@ -117,11 +125,11 @@ std::string RenderArguments::key() const {
     std::ostringstream settings;
     settings << std::setprecision(17) << options.material << '\n'
              << options.clipping_only << options.shadows << false_color << iso_lines << '\n'
-             << light_error << ' ' << edge_samples << '\n';
+             << light_error << ' ' << edge_samples << ' ' << eye_distance_ << '\n';
     for (const std::string& text : {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_,
-                                    tone_, look_, pull_, section_})
+                                    tone_, look_, pull_, section_, stereo_})
         settings << text << '\n';
-    for (const std::optional<double>& number : {ev_, draft_, radius_}) {
+    for (const std::optional<double>& number : {ev_, draft_, radius_, screen_distance_}) {
         if (number) settings << *number;
         settings << '\n';
     }

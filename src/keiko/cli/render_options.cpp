@@ -19,6 +19,7 @@ void RenderArguments::add_to(CLI::App& command) {
     add_false_colors(command);
     add_display(command);
     add_looks(command);
+    add_stereo(command);
     add_frames(command);
 }
 
@@ -106,7 +107,7 @@ void RenderArguments::add_looks(CLI::App& command) {
                 "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), "
                 "isoparms, patches; or by colour with a legend draft, curvature:gauss, :mean, "
                 ":k1, :k2, :absolute, :section, or radius; curvature:gauss=C: colours are full "
-                "at C; or below-radius, in red")
+                "at C; below-radius, in red; or distortion: how glass turns the line of sight")
             ->option_text("NAME")
             ->excludes(command.get_option("--false-color"))
             ->capture_default_str();
@@ -123,6 +124,30 @@ void RenderArguments::add_looks(CLI::App& command) {
         ->check(not_empty());
     command.add_option("--radius", radius_, "of --look below-radius: mm, which needs it")
         ->check(number_between(1e-6, 1e6));
+}
+
+void RenderArguments::add_stereo(CLI::App& command) {
+    CLI::Option* stereo =
+        command
+            .add_option("--stereo", stereo_,
+                        "for two eyes: side-by-side, the left eye's picture on the left, each of "
+                        "the picture's size; or anaglyph, for glasses that are red on the left "
+                        "and cyan on the right")
+            ->check(CLI::IsMember({"side-by-side", "anaglyph"}))
+            ->excludes(command.get_option("--false-color"));
+    of_lamps_.push_back(stereo);
+    command
+        .add_option("--eye-distance", eye_distance_,
+                    "mm between the eyes, the camera being in their middle")
+        ->check(number_between(1e-3, 1e6))
+        ->needs(stereo)
+        ->capture_default_str();
+    command
+        .add_option("--screen-distance", screen_distance_,
+                    "mm from the eyes to the screen; what is nearer stands out of it [the "
+                    "camera's target]")
+        ->check(number_between(1e-3, 1e9))
+        ->needs(stereo);
 }
 
 void RenderArguments::add_frames(CLI::App& command) {

@@ -16,6 +16,12 @@ struct ChosenMode {
     Vec3 section{0, 1, 0};                   ///< normal of the planes of sections
 };
 
+/// Two eyes instead of one.
+struct ChosenStereo {
+    StereoLayout layout = StereoLayout::side_by_side; ///< of both pictures in one
+    Stereo eyes{};                                    ///< as given, else the defaults
+};
+
 /// Frames of an animation.
 struct Frames {
     int first = 0; ///< the first, at least 0
@@ -60,6 +66,8 @@ public:
     ToneMapping mapping() const;
     /// Model of tubes for --penumbrae.
     TubeModel tubes() const;
+    /// Both eyes; nullopt for one.
+    std::optional<ChosenStereo> stereo() const;
     /// Frames of an animation; nullopt for one picture.
     std::optional<Frames> frames() const;
     /// Key of all inputs of a picture except the number of its frame.
@@ -70,14 +78,16 @@ private:
     void add_false_colors(CLI::App& command);
     void add_display(CLI::App& command);
     void add_looks(CLI::App& command);
+    void add_stereo(CLI::App& command);
     void add_frames(CLI::App& command);
     /// Settings of a mode.
     AnalysisOptions look_options(const StatedLook& look) const;
     void require_look(const ChosenMode& look) const;
 
     std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
-                       tone_ = "linear", frames_, pull_, section_;
-    std::optional<double> ev_, draft_, radius_;
+                       tone_ = "linear", frames_, pull_, section_, stereo_;
+    double eye_distance_ = Stereo().eye_distance;
+    std::optional<double> ev_, draft_, radius_, screen_distance_;
     std::vector<const CLI::Option*> of_lamps_; ///< options that only pictures under the lamps use
     const CLI::Option *rig_ = nullptr, *stated_look_ = nullptr;
 };

@@ -36,7 +36,7 @@ std::vector<EdgeCell> outlined_cells(const Tile& tile, std::span<const Outline> 
     return cells;
 }
 
-/// Places of one depth, each with the points that have its light, and their samples.
+/// Places of one branch, each with the points that have its light, and their samples.
 struct LitTogether {
     struct Taker {
         const ShadingPoint* point;
@@ -47,21 +47,21 @@ struct LitTogether {
     std::vector<std::vector<Taker>> takers; ///< by place
 };
 
-/// The places to be lit in a tile, by depth.
-std::map<int, LitTogether> lit_places(int width, const std::vector<bool>& in_parts,
-                                      SampleBatch& view, RefinedPixels& refined) {
-    std::map<int, LitTogether> all;
+/// The places to be lit in a tile, by branch.
+std::map<std::uint64_t, LitTogether> lit_places(int width, const std::vector<bool>& in_parts,
+                                                SampleBatch& view, RefinedPixels& refined) {
+    std::map<std::uint64_t, LitTogether> all;
     for (const ShadingPoint& point : view.points) {
         if (in_parts[point.sample]) continue;
         const auto number = static_cast<int>(point.sample);
         PixelSample& sample = view.samples[point.sample];
-        LitTogether& lit = all[point.depth];
+        LitTogether& lit = all[point.branch];
         lit.places.push_back({{number % width, number / width}, &point, sample.luminance});
         lit.takers.push_back({{&point, &sample}});
     }
     for (const SharedPlace& shared : shared_places(width, refined)) {
         const ShadingPoint& point = *shared.lit.point;
-        LitTogether& lit = all[point.depth];
+        LitTogether& lit = all[point.branch];
         const auto sample = [&](const ShadingPoint& of) {
             return &refined.parts[of.sample].sample;
         };
@@ -85,7 +85,7 @@ void add_tile_light(const Integrator& integrator, int width, double error, Sampl
         add_shared_light(integrator, width, error, refined);
         return add_interpolated_light(integrator, width, in_parts, error, view);
     }
-    for (const auto& [depth, lit] : lit_places(width, in_parts, view, refined)) {
+    for (const auto& [branch, lit] : lit_places(width, in_parts, view, refined)) {
         const std::vector<DirectLight> light = unshadowed_light(integrator, lit.places, error);
         for (std::size_t i = 0; i < light.size(); ++i)
             for (const auto& [point, sample] : lit.takers[i])

@@ -12,9 +12,15 @@ namespace {
 /// Sine of the angle to the view direction below which `up` says nothing.
 constexpr double parallel = 1e-9;
 
+/// The place in pixels at which the middle ray meets the picture.
+Vec2 middle_of(const Camera& camera) {
+    return Vec2(camera.width / 2.0, camera.height / 2.0) + camera.shift;
+}
+
 /// Position on the picture plane, in its own unit (see Camera::pixel_size), right and up.
 Vec2 plane_position(const Camera& camera, double x, double y) {
-    return Vec2(x - camera.width / 2.0, camera.height / 2.0 - y) * camera.pixel_size();
+    const Vec2 middle = middle_of(camera);
+    return Vec2(x - middle.x, middle.y - y) * camera.pixel_size();
 }
 
 } // namespace
@@ -83,7 +89,7 @@ PreparedCamera::PreparedCamera(const Camera& camera)
     : projection_(camera.projection),
       eye_(camera.eye),
       axes_(camera.axes()),
-      middle_(camera.width / 2.0, camera.height / 2.0),
+      middle_(middle_of(camera)),
       pixel_size_(camera.pixel_size()),
       dx_(axes_.right * pixel_size_),
       dy_(axes_.up * -pixel_size_) {}

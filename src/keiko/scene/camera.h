@@ -30,6 +30,7 @@ struct Camera {
     double vertical_fov = 28;       ///< degrees; perspective only
     double orthographic_height = 0; ///< mm across the picture's height; orthographic only
     int width = 960, height = 540;  ///< pixels
+    Vec2 shift{0}; ///< pixels by which the middle ray stands right of the middle, and below it
 
     /// Ray with unit direction through the picture point (x, y) in pixels, (0.5, 0.5) being the
     /// centre of the upper left pixel; with differentials per pixel. For many rays: PreparedCamera.
@@ -74,7 +75,7 @@ private:
     Projection projection_;
     Vec3 eye_;
     CameraAxes axes_;
-    Vec2 middle_;       ///< of the picture, in pixels
+    Vec2 middle_;       ///< where the middle ray meets the picture, in pixels
     double pixel_size_; ///< Camera::pixel_size
     Vec3 dx_, dy_;      ///< of a pixel on the picture plane
 };

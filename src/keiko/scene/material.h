@@ -5,7 +5,9 @@
 #include "keiko/math/rgb.h"
 
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace KEIKO_API keiko {
 
@@ -26,16 +28,34 @@ struct FlakeLayer {
     bool operator==(const FlakeLayer&) const = default;
 };
 
-/// A Lambertian base under a clear coat, or a bare metal.
+/// Clear glass or plastic, which passes what it does not mirror.
+struct Glass {
+    Rgb absorption{0}; ///< 1/mm along the way of light inside, by channel, 0 or more
+    /// mm, above 0: the face stands for a pane so thick, which light crosses straight on; 0: it
+    /// bounds a solid body, which bends light
+    double pane = 0;
+
+    bool operator==(const Glass&) const = default;
+};
+
+/// A Lambertian base under a clear coat, a bare metal, or glass.
 struct Material {
     std::string name;                     ///< by which scenes name it
-    Rgb diffuse{0.03};                    ///< reflectance of the base, 0 to 1; unused by metals
-    double refractive_index = 1.5;        ///< of the coat; 1: no coat, no mirror
+    Rgb diffuse{0.03};                    ///< reflectance of the base, 0 to 1; of paints alone
+    double refractive_index = 1.5;        ///< of the coat or the glass; 1: no coat, no mirror
     std::optional<MetalIndex> metal{};    ///< instead of base and coat
+    std::optional<Glass> glass{};         ///< instead of base and coat; smooth, without flakes
     std::optional<Roughness> roughness{}; ///< of the coat or the metal; none: a smooth mirror
     std::optional<FlakeLayer> flakes{};   ///< none by default
 
     bool operator==(const Material&) const = default;
 };
+
+/// True for each of some faces whose material is glass.
+inline std::vector<bool> glass_faces(std::span<const Material> materials) {
+    std::vector<bool> are_glass;
+    for (const Material& material : materials) are_glass.push_back(material.glass.has_value());
+    return are_glass;
+}
 
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/light/rig/prepared_rig.h"
 #include "keiko/render/shading/direct_lighting.h"
+#include "keiko/render/shading/glass_loss.h"
 #include "keiko/stream/hit_columns.h"
 #include "keiko/stream/trace_rays.h"
 
@@ -40,8 +41,10 @@ struct LitScene {
     const Scene& scene;
     std::vector<std::string> columns; ///< of the results
     PreparedRig rig;
+    GlassLoss glass;
 
-    LitScene(const Scene& lit, const LightRig& by) : scene(lit), columns(columns_of(by)), rig(by) {}
+    LitScene(const Scene& lit, const LightRig& by)
+        : scene(lit), columns(columns_of(by)), rig(by), glass(lit.seen(), lit.seen_materials()) {}
 
     /// The first source that a point lies in a lamp of; nullopt: none.
     std::optional<std::size_t> source_around(const Vec3& point) const {
@@ -83,17 +86,27 @@ Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
     return place;
 }
 
+/// Takes from the light of each lamp what glass takes.
+void dim_by_glass(const LitScene& in, const Place& place, std::span<const LightId> lights,
+                  std::vector<Rgb>& lux) {
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        lux[i] *= in.glass.left(place.position, place.root,
+                                lamp_corners(in.rig.sources[lights[i].source], lights[i].lamp,
+                                             place.position, TubeModel::preview));
+}
+
 std::vector<double> lux_at(const LitScene& in, const Ray& point) {
     const Scene& scene = in.scene;
     const Vec3 normal = point.direction.normalized();
-    const DirectLighting lights(in.rig, scene.occluders ? &*scene.occluders : nullptr,
-                                scene.seen());
+    const Occluders* occluders = scene.occluders ? &*scene.occluders : nullptr;
+    const DirectLighting lights(in.rig, occluders, occluders ? occluders->tracer() : scene.seen());
     const Place place = place_of(scene.seen(), point.origin, normal);
     constexpr TubeModel model = TubeModel::automatic;
     const PointLighting lit(
         in.rig, place.position, normal, model, lights.lights(),
         lights.light_visibility(place.position, normal, place.root, lights.lights(), model, false));
-    const std::vector<Rgb> by_light = lit.illuminance_by_light();
+    std::vector<Rgb> by_light = lit.illuminance_by_light();
+    if (occluders && in.glass.any()) dim_by_glass(in, place, lights.lights(), by_light);
     std::vector<double> lux;
     Rgb sum;
     each_source(lights.lights(), [&](std::size_t, std::span<const int> lamps, std::size_t first) {

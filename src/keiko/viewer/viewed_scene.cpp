@@ -70,17 +70,17 @@ DeepBuffer ViewedScene::deep(const ViewRequest& request, const DeepOptions& opti
 }
 
 std::optional<Occluders> ViewedScene::occluders(const std::vector<std::uint32_t>& hidden,
-                                                const Tracer& seen, const Job& job) {
+                                                const Job& job) {
     if (!scene_.occluders || hidden.empty()) return scene_.occluders;
     const auto lock = locked(part_access_, job);
     if (!part_ || part_->hidden != hidden)
-        part_ = {hidden, *occluders_without(scene_, hidden, seen, job)};
+        part_ = {hidden, *occluders_without(scene_, hidden, job)};
     return part_->occluders;
 }
 
 Film ViewedScene::still(const ViewRequest& request, const LightRig& rig, const Job& job) {
     const Tracer seen = seen_without(scene_, request.hidden);
-    const std::optional<Occluders> shadows = occluders(request.hidden, seen, job);
+    const std::optional<Occluders> shadows = occluders(request.hidden, job);
     const PictureScene part{seen, scene_.seen_materials(), rig, scene_.background,
                             shadows ? &*shadows : nullptr};
     return render_part(scene_, part, view_of(request).camera, {}, job);

@@ -89,8 +89,7 @@ private:
         Occluders occluders;
     };
 
-    std::optional<Occluders> occluders(const std::vector<std::uint32_t>& hidden, const Tracer& seen,
-                                       const Job& job);
+    std::optional<Occluders> occluders(const std::vector<std::uint32_t>& hidden, const Job& job);
     const Inspection& judged(const Job& job);
 
     Scene scene_;

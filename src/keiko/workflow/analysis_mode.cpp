@@ -27,6 +27,7 @@ constexpr std::array names{ModeName{AnalysisMode::zebra, "zebra"},
                            ModeName{AnalysisMode::section, "curvature:section"},
                            ModeName{AnalysisMode::radius, "radius"},
                            ModeName{AnalysisMode::below_radius, "below-radius"},
+                           ModeName{AnalysisMode::distortion, "distortion"},
                            ModeName{AnalysisMode::isoparms, "isoparms"},
                            ModeName{AnalysisMode::patches, "patches"}};
 
@@ -81,7 +82,8 @@ bool is_curvature(AnalysisMode look) {
 }
 
 bool has_scale(AnalysisMode look) {
-    return is_curvature(look) || look == AnalysisMode::draft || look == AnalysisMode::radius;
+    return is_curvature(look) || look == AnalysisMode::draft || look == AnalysisMode::radius ||
+           look == AnalysisMode::distortion;
 }
 
 } // namespace keiko

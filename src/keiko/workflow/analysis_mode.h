@@ -26,13 +26,14 @@ enum class AnalysisMode {
     section,      ///< curvature of normal sections along parallel planes, by colour
     radius,       ///< smallest radius of curvature by colour, on a logarithmic scale
     below_radius, ///< where the smallest radius is below a given one
+    distortion,   ///< how glass turns lines of sight, by colour, and a grid behind it
     isoparms,     ///< isoparametric lines of each patch, patch borders and borders of faces
     patches       ///< patches in colours of their own
 };
 
 /// "zebra", "isophote", "highlight", "draft", "curvature:gauss", "curvature:mean", "curvature:k1",
 /// "curvature:k2", "curvature:absolute", "curvature:section", "radius", "below-radius",
-/// "isoparms", "patches"
+/// "distortion", "isoparms", "patches"
 std::string_view name_of(AnalysisMode look);
 /// All modes, in the order of their declaration.
 const std::vector<AnalysisMode>& every_look();
@@ -64,8 +65,9 @@ struct AnalysisOptions {
     Vec3 pull{0, 0, 1}; ///< direction in which the tool is pulled off; finite, not 0
     double draft = 3;   ///< degrees, 0 to 90: draft angles from 0 to this are too small
     double radius = 1;  ///< mm, above 0: smaller ones are marked by below_radius
-    std::optional<Image> sections{}; ///< section_curvatures(), which the mode `section` needs
-    AnalysisScale scale{};           ///< of modes for which has_scale()
+    std::optional<Image> sections{};   ///< section_curvatures(), which the mode `section` needs
+    std::optional<Image> deviations{}; ///< glass_deviations(), which the mode `distortion` needs
+    AnalysisScale scale{};             ///< of modes for which has_scale()
     /// Number in the film of a face that is no part of the body: it has no colours and no part in
     /// percentiles. In films of render_view it is 0, the ground.
     std::optional<int> ground{};

@@ -2,6 +2,7 @@
 
 #include "keiko/workflow/band_picture.h"
 #include "keiko/workflow/curvature_picture.h"
+#include "keiko/workflow/distortion_picture.h"
 #include "keiko/workflow/draft_picture.h"
 #include "keiko/workflow/patch_picture.h"
 #include "keiko/workflow/radius_picture.h"
@@ -25,6 +26,8 @@ Image analysis_picture(AnalysisMode look, const Film& film, const Camera& camera
     if (is_curvature(look)) return curvature_picture(look, sight, options);
     if (look == AnalysisMode::radius) return radius_picture(sight, options.scale);
     if (look == AnalysisMode::below_radius) return below_radius_picture(sight, options.radius);
+    if (look == AnalysisMode::distortion)
+        return distortion_picture(sight, *options.deviations, options.scale);
     if (look == AnalysisMode::draft) return draft_picture(sight, options);
     if (look == AnalysisMode::isoparms) return isoparm_picture(sight);
     if (look == AnalysisMode::patches) return patch_picture(sight);

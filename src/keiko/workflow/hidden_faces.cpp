@@ -1,5 +1,7 @@
 #include "keiko/workflow/hidden_faces.h"
 
+#include "keiko/workflow/shadow_casters.h"
+
 #include <algorithm>
 #include <utility>
 #include <vector>
@@ -23,15 +25,6 @@ std::vector<bool> hidden_in(const Scene& scene, std::span<const std::uint32_t> i
     return hidden;
 }
 
-/// The model with nothing on some faces. Patches keep their indices, which hits have.
-SurfaceModel without(SurfaceModel model, const std::vector<bool>& hidden) {
-    for (std::size_t i = 0; i < model.faces.size(); ++i)
-        if (hidden[i]) model.faces[i].patch_count = model.faces[i].loop_count = 0;
-    std::erase_if(model.irregular_patches,
-                  [&](const IrregularPatch& patch) { return hidden[patch.face]; });
-    return model;
-}
-
 } // namespace
 
 void require_faces(const SurfaceModel& model, std::span<const std::uint32_t> ids) {
@@ -48,9 +41,12 @@ Tracer seen_without(const Scene& scene, std::span<const std::uint32_t> ids) {
 }
 
 std::optional<Occluders> occluders_without(const Scene& scene, std::span<const std::uint32_t> ids,
-                                           const Tracer& seen, const Job& job) {
+                                           const Job& job) {
     if (!scene.occluders) return {};
-    return Occluders(visible_model(scene, without(scene.model, hidden_in(scene, ids))), seen, job);
+    std::vector<bool> clear = glass_faces(scene.seen_materials());
+    const std::vector<bool> hidden = hidden_in(scene, ids);
+    for (std::size_t i = 0; i < clear.size(); ++i) clear[i] = clear[i] || hidden[i];
+    return occluders_without(visible_model(scene, scene.model), scene.seen(), clear, job);
 }
 
 Scene without_faces(const Scene& scene, std::span<const std::uint32_t> ids, const Job& job) {
@@ -60,7 +56,7 @@ Scene without_faces(const Scene& scene, std::span<const std::uint32_t> ids, cons
     hidden.resize(scene.model.faces.size());
     part.tracer = scene.tracer.without(hidden);
     part.model = without(std::move(part.model), hidden);
-    part.occluders = occluders_without(scene, ids, part.seen(), job);
+    part.occluders = occluders_without(scene, ids, job);
     return part;
 }
 

@@ -17,10 +17,10 @@ void require_faces(const SurfaceModel& model, std::span<const std::uint32_t> ids
 /// for an id that no face has.
 Tracer seen_without(const Scene& scene, std::span<const std::uint32_t> ids);
 
-/// Occluders of the scene's pictures without some faces, prepared anew; `seen` is their tracer.
-/// nullopt unless the scene casts shadows. Throws as seen_without, and Cancelled.
+/// Occluders of the scene's pictures without some faces, prepared anew. nullopt unless the scene
+/// casts shadows. Throws as seen_without, and Cancelled.
 std::optional<Occluders> occluders_without(const Scene& scene, std::span<const std::uint32_t> ids,
-                                           const Tracer& seen, const Job& job = {});
+                                           const Job& job = {});
 
 /// The scene without some faces of its body, for pictures and numbers. They keep their places in
 /// the lists of faces and materials, and have no patches. The ground is that of the whole body.

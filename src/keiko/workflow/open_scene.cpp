@@ -8,6 +8,7 @@
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/workflow/painted_body.h"
+#include "keiko/workflow/shadow_casters.h"
 
 #include <array>
 
@@ -17,6 +18,12 @@ namespace {
 SurfaceModel on_ground(const SurfaceModel& body, const Box3& bounds, double z) {
     const std::array models{body, ground_plane(z, bounds)};
     return merge(models);
+}
+
+/// Occluders of a visible model: all but glass.
+Occluders casters(const SurfaceModel& seen, const Tracer& tracer,
+                  const std::vector<Material>& materials, const Job& job) {
+    return occluders_without(seen, tracer, glass_faces(materials), job);
 }
 
 /// Traced form of a scene.
@@ -32,13 +39,14 @@ Traced traced(const SurfaceModel& body, const std::vector<Material>& materials,
     const TracerOptions tracing{.second_derivatives = true, .clipping_only = options.clipping_only};
     Traced all{Tracer(body, tracing, job)};
     if (!ground) {
-        if (options.shadows) all.occluders.emplace(body, all.tracer, job);
+        if (options.shadows) all.occluders = casters(body, all.tracer, materials, job);
         return all;
     }
     const SurfaceModel seen = on_ground(body, all.tracer.bounds(), ground->z);
     all.surroundings = Surroundings{ground->z, materials, Tracer(seen, tracing, job)};
     all.surroundings->materials.push_back(ground->material);
-    if (options.shadows) all.occluders.emplace(seen, all.surroundings->tracer, job);
+    if (options.shadows)
+        all.occluders = casters(seen, all.surroundings->tracer, all.surroundings->materials, job);
     return all;
 }
 

@@ -45,7 +45,7 @@ struct Ball : Body {
 TEST(AnalysisMode, HasANameEach) {
     for (const AnalysisMode look : every_look())
         EXPECT_EQ(is_curvature(look), name_of(look).starts_with("curvature:"));
-    EXPECT_EQ(every_look().size(), 14u);
+    EXPECT_EQ(every_look().size(), 15u);
 }
 
 /// Bands of 2.5 degrees of the normal, and of 5 degrees of the reflected ray: on a ball seen level

@@ -53,10 +53,32 @@ FlakeLayer flakes_from(const TomlTable& table) {
     return flakes;
 }
 
-/// Throws Error at a key that a bare metal does not have.
-void require_bare(const TomlTable& table) {
-    for (const std::string_view key : {"diffuse", "refractive_index", "flakes"})
-        if (table.has(key)) throw table.error(key, "belongs to paints, not to a metal");
+Glass glass_from(const TomlTable& table) {
+    Glass glass;
+    glass.absorption = table.rgb("absorption", {.low = 0, .high = 1e6}).value_or(glass.absorption);
+    glass.pane =
+        table.number("pane", {.low = 0, .high = 1000, .above_low = true}).value_or(glass.pane);
+    table.finish();
+    return glass;
+}
+
+/// Throws Error at a key that such a material does not have.
+void require_none_of(const TomlTable& table, std::initializer_list<std::string_view> keys,
+                     const std::string& owners) {
+    for (const std::string_view key : keys)
+        if (table.has(key)) throw table.error(key, "belongs to " + owners);
+}
+
+/// The base of a paint below its coat, or glass instead of both.
+void take_base(const TomlTable& table, Material& material) {
+    if (const auto glass = table.table("glass")) {
+        require_none_of(table, {"diffuse", "flakes", "roughness"}, "paints, not to glass");
+        material.glass = glass_from(*glass);
+        material.diffuse = Rgb(0);
+        return;
+    }
+    material.diffuse = table.required("diffuse", table.rgb("diffuse", TomlLimits::share()));
+    if (const auto flakes = table.table("flakes")) material.flakes = flakes_from(*flakes);
 }
 
 } // namespace
@@ -66,15 +88,15 @@ Material material_from(const TomlTable& table) {
     material.name = table.text("name").value_or("");
     if (const auto rough = table.table("roughness")) material.roughness = roughness_from(*rough);
     if (const auto metal = table.table("metal")) {
-        require_bare(table);
+        require_none_of(table, {"diffuse", "refractive_index", "flakes", "glass"},
+                        "paints, not to a metal");
         material.metal = metal_from(*metal);
         material.diffuse = Rgb(0);
     } else {
-        material.diffuse = table.required("diffuse", table.rgb("diffuse", TomlLimits::share()));
         material.refractive_index =
             table.number("refractive_index", {.low = 1, .high = index_limits.high})
                 .value_or(material.refractive_index);
-        if (const auto flakes = table.table("flakes")) material.flakes = flakes_from(*flakes);
+        take_base(table, material);
     }
     if (material.roughness && !material.metal && material.refractive_index == 1)
         throw table.error("roughness", "needs a border: a refractive_index above 1, or a metal");

@@ -1,5 +1,7 @@
 #include "keiko/intersect/hit/reflect_ray.h"
 
+#include "keiko/intersect/hit/local_surface.h"
+
 #include <limits>
 
 #undef HWY_TARGET_INCLUDE
@@ -43,7 +45,7 @@ public:
 
     /// Lanes beyond a pole, where no length is so short that it is found in another way.
     hn::Mask<D> regular() const {
-        constexpr double singular_sine = 1e-6; // as in regular() below
+        constexpr double singular_sine = 1e-6; // as in is_regular()
         const V shortest = number(2 * std::numeric_limits<double>::min());
         const V u2 = square(su_), v2 = square(sv_);
         const auto long_enough = hn::Ge(hn::Min(area2_, hn::Min(u2, v2)), shortest);
@@ -132,49 +134,9 @@ ReflectionKernel reflection_kernel() {
 
 namespace {
 
-/// The surface at a hit to second order: how position and unit normal change along a tangent.
-class LocalSurface {
-public:
-    explicit LocalSurface(const Hit& hit)
-        : normal_(hit.normal), su_(hit.dpdu), sv_(hit.dpdv), area_(su_.cross(sv_)) {
-        const Vec3 nu = hit.second->duu.cross(sv_) + su_.cross(hit.second->duv);
-        const Vec3 nv = hit.second->duv.cross(sv_) + su_.cross(hit.second->dvv);
-        // The caller may have turned the normal to the other side.
-        const double scale = (area_.dot(normal_) < 0 ? -1 : 1) / area_.length();
-        normal_du_ = (nu - normal_ * normal_.dot(nu)) * scale;
-        normal_dv_ = (nv - normal_ * normal_.dot(nv)) * scale;
-    }
-
-    /// Change of the unit normal along the tangent vector `step`.
-    Vec3 normal_change(const Vec3& step) const {
-        // By areas: the determinant of the first form cancels where the tangents are all but
-        // parallel.
-        const double u = step.cross(sv_).dot(area_), v = su_.cross(step).dot(area_);
-        return (normal_du_ * u + normal_dv_ * v) / area_.dot(area_);
-    }
-
-private:
-    Vec3 normal_, su_, sv_;
-    Vec3 area_; ///< su x sv
-    Vec3 normal_du_{0}, normal_dv_{0};
-};
-
-/// Change of the hit point when the ray changes by (origin_d, direction_d), in the tangent plane.
-Vec3 transfer(const Ray& ray, const Hit& hit, const Vec3& origin_d, const Vec3& direction_d) {
-    const Vec3 moved = origin_d + direction_d * hit.t;
-    return moved - ray.direction * (moved.dot(hit.normal) / ray.direction.dot(hit.normal));
-}
-
+/// Change of the reflected direction.
 Vec3 reflect_change(const Vec3& d, const Vec3& n, const Vec3& d_change, const Vec3& n_change) {
     return d_change - (n_change * d.dot(n) + n * (d_change.dot(n) + d.dot(n_change))) * 2;
-}
-
-/// At a pole the tangents say nothing about how the normal changes. Of tangents that enclose an
-/// angle of sine s, the second derivatives' rounding leaves it right to some 1e-15 / s^2.
-bool regular(const Hit& hit) {
-    constexpr double singular_sine = 1e-6;
-    return hit.dpdu.cross(hit.dpdv).length() >
-           singular_sine * hit.dpdu.length() * hit.dpdv.length();
 }
 
 } // namespace
@@ -189,7 +151,7 @@ void reflect_ray(const Ray& incoming, const Hit& hit, Ray& mirrored) {
     mirrored.origin = hit.position;
     mirrored.direction = reflect(incoming.direction, hit.normal);
     mirrored.excluded = hit.root;
-    if (!incoming.differentials || !hit.second || !regular(hit)) return;
+    if (!incoming.differentials || !hit.second || !is_regular(hit)) return;
 
     const RayDifferentials& in = *incoming.differentials;
     const LocalSurface surface(hit);

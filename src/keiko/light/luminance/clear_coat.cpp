@@ -2,6 +2,7 @@
 
 #include "keiko/light/luminance/fresnel.h"
 #include "keiko/math/quadrature.h"
+#include "keiko/math/refract.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "keiko/light/luminance/flake_kernel.h"
 
 #include "keiko/light/luminance/fresnel.h"
+#include "keiko/math/refract.h"
 
 #include <cmath>
 #include <numbers>

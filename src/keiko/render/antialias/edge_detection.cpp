@@ -28,18 +28,24 @@ bool rounds_off(const Hit& a, const Hit& b) {
            off < std::sin(turn) * step.length();
 }
 
+/// True if what the first surfaces mirror, or what is seen through them, has an edge between.
+bool border_differs(const PixelSample& a, const PixelSample& b) {
+    return a.mirrored_face.has_value() != b.mirrored_face.has_value() ||
+           a.behind.has_value() != b.behind.has_value() ||
+           (a.behind && !is_same_surface(*a.behind, *b.behind));
+}
+
 } // namespace
 
 bool differ(const PixelSample& a, const PixelSample& b) {
     if (!a.hit || !b.hit) return (a.hit != nullptr) != (b.hit != nullptr);
-    return a.mirrored_face.has_value() != b.mirrored_face.has_value() ||
-           !is_same_surface(place_of(a), place_of(b));
+    return border_differs(a, b) || !is_same_surface(place_of(a), place_of(b));
 }
 
 bool differ_closely(const PixelSample& a, const PixelSample& b) {
     if (!differ(a, b)) return false;
-    return !a.hit || !b.hit || a.mirrored_face.has_value() != b.mirrored_face.has_value() ||
-           a.paint != b.paint || !rounds_off(*a.hit, *b.hit);
+    return !a.hit || !b.hit || border_differs(a, b) || a.paint != b.paint ||
+           !rounds_off(*a.hit, *b.hit);
 }
 
 bool look_alike(const PixelSample& a, const PixelSample& b, double contrast) {

@@ -153,17 +153,17 @@ OutlineSpot amid(const Spots& surface, const std::vector<Subpixel>& parts) {
                              [&](const auto& a, const auto& b) { return off(a) < off(b); });
 }
 
-/// Sorts shading points by depth, then by pixel and part.
+/// Sorts shading points by branch, then by pixel and part.
 void sort_by_pixel(RefinedPixels& refined) {
     const auto order = [&](const ShadingPoint& point) {
-        return std::tuple(point.depth, refined.parts[point.sample].pixel, point.sample);
+        return std::tuple(point.branch, refined.parts[point.sample].pixel, point.sample);
     };
     std::stable_sort(
         refined.points.begin(), refined.points.end(),
         [&](const ShadingPoint& a, const ShadingPoint& b) { return order(a) < order(b); });
 }
 
-/// Lights shared places of one depth along rows of them.
+/// Lights shared places of one branch along rows of them.
 void light_rows(const Integrator& integrator, std::span<const SharedPlace> places, double error,
                 std::vector<Subpixel>& parts) {
     Spots spots;
@@ -195,10 +195,10 @@ std::vector<SharedPlace> shared_places(int width, RefinedPixels& refined) {
     std::vector<SharedPlace> places;
     for (std::size_t i = 0; i < points.size();) {
         const std::size_t number = pixel(points[i]);
-        const int depth = points[i].depth;
+        const std::uint64_t branch = points[i].branch;
         const Pixel at{static_cast<int>(number % w), static_cast<int>(number / w)};
         Spots of_pixel;
-        for (; i < points.size() && pixel(points[i]) == number && points[i].depth == depth; ++i)
+        for (; i < points.size() && pixel(points[i]) == number && points[i].branch == branch; ++i)
             of_pixel.push_back({at, &points[i]});
         for (Spots& surface : smooth_surfaces(std::move(of_pixel)))
             places.push_back({amid(surface, refined.parts), std::move(surface)});
@@ -211,11 +211,11 @@ void add_shared_light(const Integrator& integrator, int width, double error,
     const std::vector<SharedPlace> places = shared_places(width, refined);
     std::span<const SharedPlace> left = places;
     while (!left.empty()) {
-        const int depth = left[0].lit.point->depth;
-        const auto deeper = std::find_if(left.begin(), left.end(), [&](const SharedPlace& place) {
-            return place.lit.point->depth != depth;
+        const std::uint64_t branch = left[0].lit.point->branch;
+        const auto further = std::find_if(left.begin(), left.end(), [&](const SharedPlace& place) {
+            return place.lit.point->branch != branch;
         });
-        const auto count = static_cast<std::size_t>(deeper - left.begin());
+        const auto count = static_cast<std::size_t>(further - left.begin());
         light_rows(integrator, left.first(count), error, refined.parts);
         left = left.subspan(count);
     }

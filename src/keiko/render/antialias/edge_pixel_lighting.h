@@ -24,7 +24,7 @@ struct EdgeRun {
 /// points leads from one to the other in which is_same_surface() holds for neighbours.
 std::vector<std::vector<OutlineSpot>> smooth_surfaces(std::vector<OutlineSpot> points);
 
-/// Rows of all of `points`, which are of one depth, along straight pieces of edges. Each row is of
+/// Rows of all of `points`, which are of one branch, along straight pieces of edges. Each row is of
 /// one smooth surface, its pixels apart: at most two from a line, three from one to the next, and
 /// sixteen from end to end.
 std::vector<EdgeRun> edge_runs(const std::vector<OutlineSpot>& points);
@@ -35,8 +35,8 @@ struct SharedPlace {
     std::vector<OutlineSpot> points; ///< all that have its light
 };
 
-/// The surfaces of all pixels in parts, `width` pixels in a row, by rising depth. Sorts the shading
-/// points, which they point to.
+/// The surfaces of all pixels in parts, `width` pixels in a row, by rising branch. Sorts the
+/// shading points, which they point to.
 std::vector<SharedPlace> shared_places(int width, RefinedPixels& refined);
 
 /// Adds the light of the shading points of pixels in parts, `width` in a row, to their samples.

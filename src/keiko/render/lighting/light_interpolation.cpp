@@ -131,7 +131,7 @@ std::vector<DirectLight> light_interpolation(const Integrator& integrator, const
 void add_interpolated_light(const Integrator& integrator, int width,
                             const std::vector<bool>& skipped, double error, SampleBatch& view) {
     const auto height = static_cast<int>(view.samples.size()) / width;
-    each_depth(view.points, [&](std::span<const ShadingPoint> points) {
+    each_branch(view.points, [&](std::span<const ShadingPoint> points) {
         const ShadingGrid grid(width, height, points);
         std::vector<Rgb> seen;
         for (const PixelSample& sample : view.samples) seen.push_back(sample.luminance);

@@ -52,7 +52,7 @@ struct Rectangle {
     }
 };
 
-/// Shading points of one depth on a grid of camera rays, row by row.
+/// Shading points of one branch on a grid of camera rays, row by row.
 class ShadingGrid {
 public:
     /// Grid of `points` by rising sample, the first ray of the grid being `first_sample`; kept by
@@ -68,7 +68,7 @@ public:
     int height() const { return height_; }
     /// Number of places, also of those without a shading point.
     std::size_t size() const { return spots_.size(); }
-    /// Shading point of a place; null if the ray misses the scene at this depth.
+    /// Shading point of a place; null if there is none in this branch.
     const ShadingPoint* at(int x, int y) const { return spots_[index(x, y)]; }
     /// True if a place and its right neighbour show one smooth surface.
     bool goes_right(int x, int y) const { return joins_.right(index(x, y)); }
@@ -102,12 +102,12 @@ private:
     SurfaceContinuity joins_;
 };
 
-/// The shading points of each depth in turn: `visit(shading points of a depth)`.
+/// The shading points of each branch in turn: `visit(shading points of a branch)`.
 template <class Visit>
-void each_depth(std::span<const ShadingPoint> points, const Visit& visit) {
+void each_branch(std::span<const ShadingPoint> points, const Visit& visit) {
     while (!points.empty()) {
         std::size_t count = 1;
-        while (count < points.size() && points[count].depth == points[0].depth) ++count;
+        while (count < points.size() && points[count].branch == points[0].branch) ++count;
         visit(points.first(count));
         points = points.subspan(count);
     }

@@ -15,7 +15,7 @@ struct LitPlace {
     Rgb seen;                  ///< luminance of its sample besides
 };
 
-/// Light of places in a tile, by place, where Integrator::light_is_smooth(). All are of one depth.
+/// Light of places in a tile, by place, where Integrator::light_is_smooth(). All are of one branch.
 /// Neighbours of one paint whose normals lie within 60 degrees form regions. The light of a region
 /// is a polynomial of position and normal, fitted to the light at a few of the places. Each of
 /// those deviates from what the others predict by at most `error` of the visible luminance there.

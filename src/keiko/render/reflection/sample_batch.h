@@ -29,13 +29,16 @@ struct PixelSample {
     const Hit* hit = nullptr; ///< the first surface, of SampleBatch::hits; null: none, or not kept
     double cosine = 0;        ///< of the angle at which it is viewed, 0 to 1
     double illuminance = 0;   ///< lx of direct light on it, if an AOV needs it
-    // The next three if edges or AOVs need them, else as without a reflected ray.
+    // The next four if edges or AOVs need them, else as without a reflected ray.
     /// Intersection of the first reflected ray with the nearest C-plane, mm; nullopt if the body is
     /// in the way.
     std::optional<Vec2> c_plane;
     double across_lamps = 0; ///< position across that plane's lamps, in their pitches
     /// The face that the first reflected ray hits; nullopt if it leaves the body.
     std::optional<std::uint32_t> mirrored_face;
+    /// The last surface that is seen through the first one and others, all glass; nullopt if there
+    /// is none.
+    std::optional<SurfacePlace> behind;
     /// True if the image of the pixel in the first reflected ray is not smooth.
     bool discontinuous = false;
     bool covered = false;    ///< true if there is a first surface
@@ -66,8 +69,9 @@ struct SampleBatch {
     SampleBatch& operator=(SampleBatch&&) = default;
 
     std::vector<PixelSample> samples; ///< one a ray or place, in order
-    std::vector<ShadingPoint> points; ///< that receive such light; by depth, then by sample
-    std::vector<Hits> hits;           ///< first surfaces
+    std::vector<ShadingPoint>
+        points;             ///< that receive such light; those of a branch together, by sample
+    std::vector<Hits> hits; ///< first surfaces
 };
 
 /// The inner part of the view of a grid, `width` in a row, without one place on all sides.

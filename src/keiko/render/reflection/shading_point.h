@@ -30,11 +30,13 @@ bool is_same_surface(const SurfacePlace& a, const SurfacePlace& b);
 /// are lit by the lamps directly.
 struct ShadingPoint {
     std::size_t sample = 0; ///< of the camera rays, in their order
-    int depth = 0;          ///< mirror reflections before
-    SurfacePlace place{};   ///< its normal on the side of the viewer
-    Root root{};            ///< of the hit, for rays from the point to leave out
-    Vec3 eye{0};            ///< unit, towards the viewer
-    Rgb weight{};           ///< weight of its luminance in the sample
+    /// Way to it: 0 from the eye; from the place b by mirror reflection 2 b + 1, through it 2 b
+    /// + 2.
+    std::uint64_t branch = 0;
+    SurfacePlace place{}; ///< its normal on the side of the viewer
+    Root root{};          ///< of the hit, for rays from the point to leave out
+    Vec3 eye{0};          ///< unit, towards the viewer
+    Rgb weight{};         ///< weight of its luminance in the sample
 };
 
 /// Light of the lamps at a shading point: smooth along a surface except for shadows.

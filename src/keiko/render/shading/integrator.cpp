@@ -7,6 +7,7 @@
 #include "keiko/light/rig/luminance_along.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace keiko {
@@ -14,6 +15,19 @@ namespace {
 
 /// mm: end of a ray that misses the scene, for the medium in between.
 constexpr double far_away = 1e6;
+
+/// Branch of what the first surface mirrors.
+constexpr std::uint64_t first_mirrored = 1;
+
+/// True for a way that passes every surface that it meets: 2, 6, 14 ...
+bool passes_alone(std::uint64_t branch) {
+    return std::has_single_bit(branch + 2);
+}
+
+/// Share of light that a way inside glass leaves.
+Rgb left_inside(const Glass& glass, const Segment& way) {
+    return transmittance(glass.absorption * (way.b - way.a).length());
+}
 
 } // namespace
 
@@ -24,7 +38,8 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
       planes_(scene.rig),
       areas_(scene.rig),
       rig_(scene.rig),
-      lights_(rig_, scene.occluders, scene.tracer),
+      lights_(rig_, scene.occluders, scene.casting()),
+      glass_(scene.tracer, scene.materials),
       tubes_(scene.occluders ? options.tubes : TubeModel::preview),
       tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)),
       refines_(options.edge_samples > 1),
@@ -36,9 +51,9 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
         if (found != known.end()) continue;
         known.push_back(material);
         paints_.emplace_back(material);
-        mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light();
+        mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light() && !material.glass;
     }
-    if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.tracer, *eye, job);
+    if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.casting(), *eye, job);
 }
 
 Segment Integrator::leg_of(const Ray& ray, const Hit* hit) {
@@ -52,38 +67,38 @@ SampleBatch Integrator::follow(std::span<const Ray> camera_rays) const {
     return view;
 }
 
-bool Integrator::shade(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
-                       SampleBatch& view) const {
+Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
+                                     const VisibleFrom& shafts, SampleBatch& view) const {
     PixelSample& sample = view.samples[path.sample];
-    record_aovs(met, depth, sample);
+    record_aovs(path, met, sample);
     add_lights(path, met, shafts, sample);
     pass_medium(path, met, shafts, sample);
+    if (path.inside) path.weight *= left_inside(*path.inside->glass(), leg_of(met.ray, met.hit));
     if (!met.hit) {
         sample.luminance +=
-            path.weight * (depth == 0 ? scene_.background : even_luminance(scene_.rig.ambient));
-        return false;
+            path.weight * (path.straight ? scene_.background : even_luminance(scene_.rig.ambient));
+        return {};
     }
     sample.paths.count(*met.hit);
-    const std::uint32_t paint = paint_of_face_[met.hit->face];
-    if (takes_light(paint, depth)) {
-        view.points.push_back(shading_point_at(path, met, depth));
+    if (takes_light(paint_of_face_[met.hit->face], path.branch)) {
+        view.points.push_back(shading_point_at(path, met));
         sample.lit = true;
         sample.luminance += path.weight * ambient_luminance(view.points.back());
     }
-    if (depth == 0) sample.cosine = met.incidence.cosine;
-    if (depth >= options_.max_depth) return false;
-    path.weight *= met.incidence.mirrored;
-    return max_channel(path.weight) >= options_.min_weight;
+    if (path.branch == 0) sample.cosine = met.incidence.cosine;
+    return onward(path, met);
 }
 
-/// Records the first hit of a camera ray, and the hits of its reflected rays.
-void Integrator::record_aovs(const PathVertex& met, int depth, PixelSample& sample) const {
-    if (depth == 0) {
+/// Records the first hit of a camera ray, and the hits of the rays that it sends on.
+void Integrator::record_aovs(const PathState& path, const PathVertex& met,
+                             PixelSample& sample) const {
+    if (path.branch == 0) {
         sample.covered = met.hit != nullptr;
         sample.paint = met.hit ? paint_of_face_[met.hit->face] : 0;
         return;
     }
-    if (depth == 1 && keeps_hits_) note_mirrored(met, sample);
+    if (path.branch == first_mirrored && keeps_hits_) note_mirrored(met, sample);
+    if (passes_alone(path.branch) && keeps_hits_) note_behind(met, sample);
     sample.discontinuous = sample.discontinuous || met.mirror.discontinuous;
 }
 
@@ -93,19 +108,24 @@ HitDetail Integrator::mirrored_detail() const {
 }
 
 /// True if light on a paint, beside its reflections, is visible or requested.
-bool Integrator::takes_light(std::uint32_t paint, int depth) const {
-    return paints_[paint].takes_light() || (depth == 0 && tells_illuminance_);
+bool Integrator::takes_light(std::uint32_t paint, std::uint64_t branch) const {
+    return paints_[paint].takes_light() || (branch == 0 && tells_illuminance_);
 }
 
 /// Shading point on the side that the path comes from.
-ShadingPoint Integrator::shading_point_at(const PathState& path, const PathVertex& met,
-                                          int depth) const {
+ShadingPoint Integrator::shading_point_at(const PathState& path, const PathVertex& met) const {
     const Hit& hit = *met.hit;
     const Vec3& direction = met.ray.direction;
     const Vec3 normal = hit.normal.dot(direction) > 0 ? -hit.normal : hit.normal;
     const Vec3 eye = direction / -direction.length();
-    return {path.sample, depth, {hit.position, normal, paint_of_face_[hit.face]},
-            hit.root,    eye,   path.weight};
+    return {path.sample, path.branch, {hit.position, normal, paint_of_face_[hit.face]},
+            hit.root,    eye,         path.weight};
+}
+
+void Integrator::note_behind(const PathVertex& met, PixelSample& sample) const {
+    sample.behind.reset();
+    if (met.hit)
+        sample.behind = {met.hit->position, met.hit->normal, paint_of_face_[met.hit->face]};
 }
 
 void Integrator::note_mirrored(const PathVertex& met, PixelSample& sample) {
@@ -177,15 +197,16 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
     const Vec3& normal = point.place.normal;
     const PointLighting lit(rig_, point.place.position, normal, tubes_, lights, std::move(seen));
     std::vector<DirectLight> brought(lights.size());
+    const std::vector<Rgb> left = left_by_glass(point, lights);
     const auto each = [&](const std::vector<Rgb>& values, const auto& add) {
-        for (std::size_t i = 0; i < values.size(); ++i) add(brought[i], values[i]);
+        for (std::size_t i = 0; i < values.size(); ++i) add(brought[i], values[i] * left[i]);
     };
     const ClearCoat* coat = paint.base().passes_all() ? nullptr : &paint.base();
     const bool scatters = paint.base().inner_reflectance(normal.dot(point.eye)) != Rgb(0);
     if (scatters)
         each(lit.illuminance_by_light(coat),
              [](DirectLight& light, const Rgb& lx) { light.illuminance = lx; });
-    if (point.depth == 0 && tells_illuminance_) {
+    if (point.branch == 0 && tells_illuminance_) {
         if (!scatters || coat)
             each(lit.illuminance_by_light(),
                  [](DirectLight& light, const Rgb& lx) { light.incident = keiko::luminance(lx); });
@@ -198,6 +219,18 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
     if (paint.flakes())
         each(lit.glossy_by_light(FlakeKernel(*paint.flakes(), normal, point.eye)), add_lobe);
     return brought;
+}
+
+std::vector<Rgb> Integrator::left_by_glass(const ShadingPoint& point,
+                                           std::span<const LightId> lights) const {
+    std::vector<Rgb> left(lights.size(), Rgb(1));
+    if (!dims_light()) return left;
+    const Vec3& place = point.place.position;
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        left[i] = glass_.left(place, point.root,
+                              lamp_corners(rig_.sources[lights[i].source], lights[i].lamp, place,
+                                           TubeModel::preview));
+    return left;
 }
 
 DirectLight Integrator::direct_light(const ShadingPoint& point) const {
@@ -218,7 +251,7 @@ Rgb Integrator::luminance(const ShadingPoint& point, const DirectLight& light) c
 void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
                            PixelSample& sample) const {
     sample.luminance += point.weight * luminance(point, light);
-    if (point.depth == 0) sample.illuminance = light.incident;
+    if (point.branch == 0) sample.illuminance = light.incident;
 }
 
 Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {

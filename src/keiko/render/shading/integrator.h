@@ -1,11 +1,13 @@
 #pragma once
 
 #include "keiko/intersect/hit/reflect_ray.h"
+#include "keiko/intersect/hit/refract_ray.h"
 #include "keiko/light/rig/rig_areas.h"
 #include "keiko/render/reflection/lamp_reflections.h"
 #include "keiko/render/reflection/reflected_grid.h"
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/render/shading/direct_lighting.h"
+#include "keiko/render/shading/glass_loss.h"
 #include "keiko/render/shading/occluded_visibility.h"
 #include "keiko/render/shading/paint.h"
 #include "keiko/render/shading/picture.h"
@@ -16,8 +18,10 @@
 
 namespace keiko {
 
-/// Integrator of camera rays over mirror reflections. A smooth coat or metal reflects lamps, the
-/// body itself and, behind both, the uniform light `ambient`. Rough interfaces and flakes spread
+/// Integrator of camera rays over mirror reflections and glass. A smooth coat or metal reflects
+/// lamps, the body itself and, behind both, the uniform light `ambient`. Glass splits a ray in two:
+/// what it mirrors and what passes it. A ray that only panes were crossed by sees what the camera
+/// sees: no rows of tubes, and the background. Rough interfaces and flakes spread
 /// the light of lamps; the base is lit directly. It processes many rays at once, a reflection
 /// deeper each pass.
 class Integrator {
@@ -53,10 +57,10 @@ public:
     /// Visibility of some of the lights from a shading point.
     std::vector<LightVisibility> light_visibility(const ShadingPoint& point,
                                                   std::span<const LightId> lights) const;
-    /// See DirectLighting::may_occlude().
+    /// See DirectLighting::may_occlude(); always true where glass may dim light.
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
                      const std::optional<Vec3>& facing) const {
-        return lights_.may_occlude(places, light, facing, tubes_);
+        return dims_light() || lights_.may_occlude(places, light, facing, tubes_);
     }
     /// Light of each of some lights at a shading point, with the visibility `seen` of each.
     std::vector<DirectLight> direct_light(const ShadingPoint& point,
@@ -73,10 +77,20 @@ public:
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 
 private:
-    /// Sample that the light of a ray goes to, and its weight there.
+    /// Sample that the light of a ray goes to, its weight there, and the way of the ray.
     struct PathState {
         std::size_t sample = 0;
         Rgb weight{0};
+        std::uint64_t branch = 0;       ///< ShadingPoint::branch of what it meets
+        int mirrors = 0, crossings = 0; ///< before, by PictureOptions
+        bool straight = true;           ///< neither mirrored nor bent
+        const Paint* inside = nullptr;  ///< solid glass that the ray is in
+    };
+
+    /// Ways of light from a surface to a ray that met it: those that are followed.
+    struct Onward {
+        std::optional<PathState> mirrored, passed;
+        double eta = 1; ///< of what passes: the index before the surface over that behind it
     };
 
     /// Rays to trace, of the same depth, each with its path.
@@ -89,6 +103,16 @@ private:
         Ray& add(const PathState& path) {
             paths.push_back(path);
             return rays.emplace_back();
+        }
+        /// Adds all of another queue.
+        void append(const RayQueue& other) {
+            rays.insert(rays.end(), other.rays.begin(), other.rays.end());
+            paths.insert(paths.end(), other.paths.begin(), other.paths.end());
+        }
+        /// Adds a path's ray through the surface that `incoming` meets at `hit`; not where the
+        /// reflection is total.
+        void add_passed(const PathState& path, const Ray& incoming, const Hit& hit, double eta) {
+            if (auto ray = refract_ray(incoming, hit, eta)) add(path) = *ray;
         }
     };
 
@@ -105,6 +129,12 @@ private:
         const PixelMirror& mirror; ///< of lamps
         const FresnelTerm& incidence;
     };
+
+    /// True if glass dims the light of lamps.
+    bool dims_light() const { return scene_.occluders && glass_.any(); }
+    /// Share of each of some lights at a point that glass leaves, 1 if it does not dim.
+    std::vector<Rgb> left_by_glass(const ShadingPoint& point,
+                                   std::span<const LightId> lights) const;
 
     FresnelTerm incidence(const Ray& ray, const Hit& hit, int depth) const;
     /// Fresnel terms of rays of one depth, computed consecutively, so that the latencies of roots
@@ -123,9 +153,9 @@ private:
     VolumetricShadows volumetric_shadows(std::span<const Segment> legs, int depth) const;
 
     /// Traces camera rays through some places of a grid to their first hits, and the reflected rays
-    /// from there.
+    /// from there. Those that pass the first surfaces are added to `passed`.
     void trace_primary(const TileRays& grid, std::span<const GridPlace> places, SampleBatch& view,
-                       ReflectionBuffer& mirrors) const;
+                       ReflectionBuffer& mirrors, RayQueue& passed) const;
     /// Detail required of the hits of rays mirrored once: no surface if no light on it is visible
     /// and no ray continues from there.
     HitDetail mirrored_detail() const;
@@ -135,18 +165,32 @@ private:
     RayQueue shade_hits(const ReflectionBuffer& mirrors, SampleBatch& view) const;
     RayQueue mirrored_again(std::span<const PathState> paths,
                             const ReflectionBuffer& mirrors) const;
+    /// The path of a ray of `mirrors`.
+    static PathState path_of(std::size_t place, const Rgb& weight);
     /// Follows rays of samples of a view after `depth` reflections.
     void follow(RayQueue wave, int depth, SampleBatch& view) const;
     RayQueue shade_hits(const RayQueue& wave, const FirstHits& hits, int depth,
                         SampleBatch& view) const;
-    /// Adds the light of a ray's hit to the view; false if its mirror reflection does not count,
-    /// else the path becomes that of the reflection.
-    bool shade(PathState& path, const PathVertex& met, int depth, const VisibleFrom& shafts,
-               SampleBatch& view) const;
-    void record_aovs(const PathVertex& met, int depth, PixelSample& sample) const;
-    bool takes_light(std::uint32_t paint, int depth) const;
-    ShadingPoint shading_point_at(const PathState& path, const PathVertex& met, int depth) const;
+    /// Adds the light of a ray's hit to the view.
+    Onward shade(PathState path, const PathVertex& met, const VisibleFrom& shafts,
+                 SampleBatch& view) const;
+    /// The ways on from a hit.
+    Onward onward(const PathState& path, const PathVertex& met) const;
+    Onward through_pane(const PathState& path, const Paint& paint, double cosine) const;
+    Onward through_solid(const PathState& path, const Paint& paint, double cosine) const;
+    /// The path by mirror reflection of a share of the light, unless it is followed no further.
+    std::optional<PathState> mirrored(PathState path, const Rgb& share) const;
+    /// The path by total reflection inside glass.
+    std::optional<PathState> totally_mirrored(PathState path) const;
+    /// The path of a share of the light through an interface of glass.
+    std::optional<PathState> passed(PathState path, const Rgb& share) const;
+    /// The path with a share of its weight on a child of its branch, if the share counts.
+    std::optional<PathState> onto(PathState path, const Rgb& share, std::uint64_t child) const;
+    void record_aovs(const PathState& path, const PathVertex& met, PixelSample& sample) const;
+    bool takes_light(std::uint32_t paint, std::uint64_t branch) const;
+    ShadingPoint shading_point_at(const PathState& path, const PathVertex& met) const;
     static void note_mirrored(const PathVertex& met, PixelSample& sample);
+    void note_behind(const PathVertex& met, PixelSample& sample) const;
     void add_lights(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
                     PixelSample& sample) const;
     void add_light_at(double t, const MirroredLight& light, PathState& path, const Ray& ray,
@@ -162,9 +206,10 @@ private:
     ReflectionKernel mirror_kernel_ = reflection_kernel();
     PreparedRig rig_;
     DirectLighting lights_; ///< refers to rig_
+    GlassLoss glass_;
     TubeModel tubes_;
     bool tells_illuminance_, refines_, keeps_hits_;
-    bool mirrors_alone_ = true; ///< no paint takes light
+    bool mirrors_alone_ = true; ///< no paint takes light, and there is no glass
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
     std::vector<std::optional<EpipolarShadows>> pencils_; ///< of camera rays

@@ -34,13 +34,13 @@ std::shared_ptr<const AlbedoTable> table_of(const std::optional<Lobe>& lobe) {
 
 /// Reflectance of the base; flakes take their share of the light first.
 Rgb base_of(const Material& material) {
-    if (material.metal) return {};
+    if (material.metal || material.glass) return {};
     return material.flakes ? material.diffuse * (Rgb(1) - material.flakes->reflectance)
                            : material.diffuse;
 }
 
 ClearCoat coat_of(const Material& material, std::shared_ptr<const AlbedoTable> rough) {
-    if (material.metal) return {Rgb(0), 1};
+    if (material.metal || material.glass) return {Rgb(0), 1};
     if (rough) return {base_of(material), material.refractive_index, std::move(rough)};
     return {base_of(material), material.refractive_index};
 }
@@ -48,7 +48,9 @@ ClearCoat coat_of(const Material& material, std::shared_ptr<const AlbedoTable> r
 } // namespace
 
 Paint::Paint(const Material& material)
-    : gloss_(gloss_of(material)),
+    : glass_(material.glass),
+      refractive_index_(material.refractive_index),
+      gloss_(gloss_of(material)),
       flakes_(flakes_of(material)),
       gloss_albedo_(table_of(gloss_)),
       flake_albedo_(table_of(flakes_)),

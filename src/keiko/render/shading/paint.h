@@ -8,15 +8,21 @@
 
 namespace keiko {
 
-/// A material prepared for shading: its sharp reflection, its lobes, and its diffuse base.
+/// A material prepared for shading: its sharp reflection, its lobes, and its diffuse base; or
+/// glass.
 class Paint {
 public:
-    /// Paint of a material; tabulates the albedo of its lobes. Metals have no base and no flakes.
+    /// Paint of a material; tabulates the albedo of its lobes. Metals and glass have no base and no
+    /// flakes.
     explicit Paint(const Material& material);
 
     /// Share of the light that a smooth interface reflects at an angle to the normal of this
     /// cosine, 0 to 1; 0 for a rough one.
     Rgb mirrored(double cosine) const;
+    /// The glass that passes what is not mirrored; empty for paints and metals.
+    const std::optional<Glass>& glass() const { return glass_; }
+    /// Refractive index of the coat or the glass.
+    double refractive_index() const { return refractive_index_; }
     /// The base below its coat.
     const ClearCoat& base() const { return base_; }
     /// Lobe of a rough interface; empty for a smooth one.
@@ -29,6 +35,8 @@ public:
     Rgb gloss_albedo(double cosine) const;
 
 private:
+    std::optional<Glass> glass_;
+    double refractive_index_;
     std::optional<Gloss> gloss_;
     std::optional<Flakes> flakes_;
     std::shared_ptr<const AlbedoTable> gloss_albedo_, flake_albedo_;

@@ -21,12 +21,16 @@ struct PictureScene {
     std::span<const Material> materials; ///< one a face of the model
     const LightRig& rig;                 ///< lamps and medium
     Rgb background{0}; ///< cd/m2 behind the body, for camera rays; it is not reflected
-    const Occluders* occluders = nullptr; ///< of the model; without them nothing casts shadows
+    /// All of the model but glass, which dims light instead; without them nothing casts shadows.
+    const Occluders* occluders = nullptr;
+
+    /// Tracer of what casts shadows.
+    const Tracer& casting() const { return occluders ? occluders->tracer() : tracer; }
 };
 
 /// Options of a picture.
 struct PictureOptions {
-    std::vector<Aov> aovs; ///< layers besides the colour
+    std::vector<Aov> aovs{}; ///< layers besides the colour
     /// Largest number of cells a side into which a pixel with edges is divided; 1: one ray a pixel.
     int edge_samples = 8;
     /// Relative error allowed when direct diffuse light is interpolated between pixels; 0 computes
@@ -36,8 +40,9 @@ struct PictureOptions {
     /// level, by sRGB, as `light_error` is at white. Its share is 2.6 times as large at a tenth of
     /// white and 6.8 times at a hundredth. none: the same share everywhere.
     std::optional<double> white{};
-    int max_depth = 3;        ///< mirror reflections followed along one ray
-    double min_weight = 1e-3; ///< reflections with less weight than this end the path
+    int max_depth = 3;        ///< mirror reflections followed along one ray, total ones aside
+    int max_crossings = 12;   ///< interfaces of glass that light passes along one ray
+    double min_weight = 1e-3; ///< rays with less weight than this end the path
     /// Model of tubes that light bases past occluders: picture; automatic, as for numbers; or
     /// preview, whose shadows disregard the width of lamps.
     TubeModel tubes = TubeModel::picture;

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <map>
 #include <span>
+#include <tuple>
 #include <utility>
 
 namespace keiko {
@@ -16,18 +18,24 @@ namespace {
 /// for their data to stay in the processor's cache, enough to fill its vectors.
 constexpr std::size_t rays_at_once = 256;
 
-/// Sorts shading points by sample; each of the `samples` samples has one at most.
+/// Sorts shading points by branch, then by sample; each of the `samples` samples has one of a
+/// branch at most.
 void sort_by_sample(std::span<ShadingPoint> points, std::size_t samples) {
-    const auto by_sample = [](const ShadingPoint& a, const ShadingPoint& b) {
-        return a.sample < b.sample;
+    const auto before = [](const ShadingPoint& a, const ShadingPoint& b) {
+        return std::tie(a.branch, a.sample) < std::tie(b.branch, b.sample);
     };
-    if (std::is_sorted(points.begin(), points.end(), by_sample)) return;
-    std::vector<const ShadingPoint*> of_sample(samples);
-    for (const ShadingPoint& point : points) of_sample[point.sample] = &point;
+    if (std::is_sorted(points.begin(), points.end(), before)) return;
+    std::map<std::uint64_t, std::vector<const ShadingPoint*>> of_branch;
+    for (const ShadingPoint& point : points) {
+        std::vector<const ShadingPoint*>& of_sample = of_branch[point.branch];
+        of_sample.resize(samples);
+        of_sample[point.sample] = &point;
+    }
     std::vector<ShadingPoint> sorted;
     sorted.reserve(points.size());
-    for (const ShadingPoint* point : of_sample)
-        if (point) sorted.push_back(*point);
+    for (const auto& [branch, of_sample] : of_branch)
+        for (const ShadingPoint* point : of_sample)
+            if (point) sorted.push_back(*point);
     std::copy(sorted.begin(), sorted.end(), points.begin());
 }
 
@@ -38,7 +46,8 @@ SampleBatch Integrator::view(Rays camera_rays) const {
     view.samples.resize(camera_rays.size());
     RayQueue wave;
     wave.paths.reserve(camera_rays.size());
-    for (std::size_t i = 0; i < camera_rays.size(); ++i) wave.paths.push_back({i, Rgb(1)});
+    for (std::size_t i = 0; i < camera_rays.size(); ++i)
+        wave.paths.push_back({.sample = i, .weight = Rgb(1)});
     wave.rays = std::move(camera_rays);
     follow(std::move(wave), 0, view);
     return view;
@@ -57,17 +66,20 @@ SampleBatch Integrator::view(const TileRays& grid) const {
     const std::span<const GridPlace> places = grid.places;
     // The visibility of the rays' segments from the lights is computed for all of them together.
     const std::size_t most = scene_.rig.medium ? places.size() : rays_at_once;
+    RayQueue passed;
     for (std::size_t first = 0; first < places.size(); first += most)
         trace_primary(grid, places.subspan(first, std::min(most, places.size() - first)), view,
-                      mirrors);
+                      mirrors, passed);
     sort_by_sample(view.points, view.samples.size());
     mirrors.grid.join();
     follow(shade_hits(mirrors, view), 2, view);
+    follow(std::move(passed), 1, view);
     return view;
 }
 
 void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> places,
-                               SampleBatch& view, ReflectionBuffer& mirrors) const {
+                               SampleBatch& view, ReflectionBuffer& mirrors,
+                               RayQueue& passed) const {
     const Rays rays = grid.rays(places);
     FirstHits hits = scene_.tracer.first_hits(rays);
     const VolumetricShadows shadows = volumetric_shadows(legs_of(rays, hits), 0);
@@ -82,10 +94,12 @@ void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> 
         const Hit* hit = hits[i];
         sample.luminance = Rgb();
         if (keeps_hits_) sample.hit = hit;
-        PathState path{places[i].number, Rgb(1)};
-        if (!shade(path, {rays[i], hit, no_mirror, incidences[i]}, 0, shafts, view)) continue;
+        const PathState path{.sample = places[i].number, .weight = Rgb(1)};
+        const Onward onward = shade(path, {rays[i], hit, no_mirror, incidences[i]}, shafts, view);
+        if (onward.passed) passed.add_passed(*onward.passed, rays[i], *hit, onward.eta);
+        if (!onward.mirrored) continue;
         mirrors.grid.set_begin(path.sample, {hit->position, hit->normal, sample.paint});
-        mirroring.add(rays[i], *hit, mirrored.add(path));
+        mirroring.add(rays[i], *hit, mirrored.add(*onward.mirrored));
     }
     mirroring.finish();
     if (keeps_hits_) view.hits.push_back(std::move(hits.hits));
@@ -108,6 +122,7 @@ Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
     const VisibleFrom shafts = shadows.visible();
     LampReflections stripes(planes_, mirrors.grid, stripe_kernels_, refines_);
     std::vector<PathState> further;
+    RayQueue passed;
     Ray ray;
     for (std::size_t place = 0; place < mirrors.ways.size(); ++place) {
         const auto& [goes_on, hit, weight] = mirrors.ways[place];
@@ -117,10 +132,18 @@ Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
         const bool reads_ray = hit || scene_.rig.medium || !areas_.empty();
         if (reads_ray) ray = mirrors.grid.ray(place);
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
-        PathState path{place, weight};
-        if (shade(path, {ray, hit, mirror, incidence}, 1, shafts, view)) further.push_back(path);
+        const Onward onward =
+            shade(path_of(place, weight), {ray, hit, mirror, incidence}, shafts, view);
+        if (onward.mirrored) further.push_back(*onward.mirrored);
+        if (onward.passed) passed.add_passed(*onward.passed, ray, *hit, onward.eta);
     }
-    return mirrored_again(further, mirrors);
+    RayQueue on = mirrored_again(further, mirrors);
+    on.append(passed);
+    return on;
+}
+
+Integrator::PathState Integrator::path_of(std::size_t place, const Rgb& weight) {
+    return {.sample = place, .weight = weight, .branch = 1, .mirrors = 1, .straight = false};
 }
 
 Integrator::RayQueue Integrator::mirrored_again(std::span<const PathState> paths,
@@ -154,20 +177,23 @@ Integrator::RayQueue Integrator::shade_hits(const RayQueue& wave, const FirstHit
     const std::vector<FresnelTerm> incidences = this->incidences(wave.rays, hits, depth);
     RayQueue mirrored;
     mirrored.reserve(wave.rays.size());
+    RayQueue passed;
     ReflectionBatch mirroring(mirror_kernel_);
     for (std::size_t i = 0; i < wave.rays.size(); ++i) {
         const Ray& ray = wave.rays[i];
         const Hit* hit = hits[i];
-        PathState path = wave.paths[i];
+        const PathState& path = wave.paths[i];
         PixelMirror mirror;
         if (depth == 0)
             view.samples[path.sample].hit = hit;
-        else
+        else if (!path.straight)
             mirror = mirror_of(planes_, ray, {}, hit ? hit->t : ray.t_max, refines_);
-        if (shade(path, {ray, hit, mirror, incidences[i]}, depth, shafts, view))
-            mirroring.add(ray, *hit, mirrored.add(path));
+        const Onward onward = shade(path, {ray, hit, mirror, incidences[i]}, shafts, view);
+        if (onward.mirrored) mirroring.add(ray, *hit, mirrored.add(*onward.mirrored));
+        if (onward.passed) passed.add_passed(*onward.passed, ray, *hit, onward.eta);
     }
     mirroring.finish();
+    mirrored.append(passed);
     return mirrored;
 }
 
@@ -190,15 +216,15 @@ std::vector<Segment> Integrator::legs_of(const ReflectionBuffer& mirrors) const 
 VolumetricShadows Integrator::volumetric_shadows(std::span<const Segment> legs, int depth) const {
     const auto pencils =
         depth == 0 ? std::span(pencils_) : std::span<const std::optional<EpipolarShadows>>();
-    return {scene_.rig, scene_.occluders, scene_.tracer, legs, pencils};
+    return {scene_.rig, scene_.occluders, scene_.casting(), legs, pencils};
 }
 
 Integrator::FresnelTerm Integrator::incidence(const Ray& ray, const Hit& hit, int depth) const {
     // It is not needed there, and the hit may have no normal.
-    if (depth > 0 && depth >= options_.max_depth) return {};
+    if (depth > 0 && depth >= options_.max_depth && !glass_.any()) return {};
     const double cosine = std::abs(hit.normal.dot(ray.direction)) / ray.direction.length();
     FresnelTerm incidence{cosine, {}};
-    if (depth < options_.max_depth)
+    if (depth < options_.max_depth || glass_.any())
         incidence.mirrored = paints_[paint_of_face_[hit.face]].mirrored(cosine);
     return incidence;
 }

@@ -50,7 +50,8 @@ private:
 
 } // namespace
 
-Occluders::Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job) {
+Occluders::Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job)
+    : tracer_(tracer) {
     const auto begin = std::chrono::steady_clock::now();
     scene_ = std::make_shared<const OccluderScene>(model, tracer, job);
     statistics_ = {scene_->silhouettes.pieces.size(), scene_->borders.size(),

@@ -20,8 +20,11 @@ struct OccluderScene;
 /// queried from any thread. Copies share what was prepared.
 class Occluders {
 public:
-    /// `tracer` is of the same model, and not kept. Throws Cancelled.
+    /// `tracer` is of the same model. Throws Cancelled.
     Occluders(const SurfaceModel& model, const Tracer& tracer, const Job& job = {});
+
+    /// Tracer of the model.
+    const Tracer& tracer() const { return tracer_; }
 
     /// Size and cost of the preparation.
     struct Statistics {
@@ -42,6 +45,7 @@ private:
     friend class VisibilityQuery;
     friend class EpipolarShadows;
     std::shared_ptr<const OccluderScene> scene_;
+    Tracer tracer_;
     Statistics statistics_;
 };
 

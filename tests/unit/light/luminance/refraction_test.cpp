@@ -1,4 +1,4 @@
-#include "keiko/light/luminance/fresnel.h"
+#include "keiko/math/refract.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>

@@ -1,0 +1,69 @@
+// Where the light that an Integrator finds at a surface comes from: what is mirrored there, and
+// what passes glass (docs/theory/glass.md).
+#include "keiko/light/glass/pane.h"
+#include "keiko/light/luminance/fresnel.h"
+#include "keiko/render/shading/integrator.h"
+
+#include <limits>
+
+namespace keiko {
+
+Integrator::Onward Integrator::onward(const PathState& path, const PathVertex& met) const {
+    const Paint& paint = paints_[paint_of_face_[met.hit->face]];
+    if (!paint.glass()) return {mirrored(path, met.incidence.mirrored), {}};
+    return paint.glass()->pane > 0 ? through_pane(path, paint, met.incidence.cosine)
+                                   : through_solid(path, paint, met.incidence.cosine);
+}
+
+Integrator::Onward Integrator::through_pane(const PathState& path, const Paint& paint,
+                                            double cosine) const {
+    const auto& [absorption, thickness] = *paint.glass();
+    const PaneShares shares = pane_shares(cosine, paint.refractive_index(), absorption, thickness);
+    return {mirrored(path, shares.mirrored), passed(path, shares.passed)};
+}
+
+Integrator::Onward Integrator::through_solid(const PathState& path, const Paint& paint,
+                                             double cosine) const {
+    // By the way of the ray and not by the sense of the normal, which files often have wrong.
+    const bool leaves = path.inside != nullptr;
+    const double n = leaves ? 1 / path.inside->refractive_index() : paint.refractive_index();
+    const double share = fresnel_dielectric(cosine, n);
+    if (share == 1 && leaves) return {totally_mirrored(path), {}};
+    Onward onward{mirrored(path, Rgb(share)), passed(path, Rgb(1 - share)), 1 / n};
+    if (onward.passed) {
+        onward.passed->straight = false;
+        onward.passed->inside = leaves ? nullptr : &paint;
+    }
+    return onward;
+}
+
+std::optional<Integrator::PathState> Integrator::mirrored(PathState path, const Rgb& share) const {
+    if (path.mirrors >= options_.max_depth) return {};
+    ++path.mirrors;
+    path.straight = false;
+    return onto(path, share, 1);
+}
+
+/// It loses nothing, and would end a way through a block too soon if it counted as a mirror.
+std::optional<Integrator::PathState> Integrator::totally_mirrored(PathState path) const {
+    if (path.crossings >= options_.max_crossings) return {};
+    ++path.crossings;
+    return onto(path, Rgb(1), 1);
+}
+
+std::optional<Integrator::PathState> Integrator::passed(PathState path, const Rgb& share) const {
+    if (path.crossings >= options_.max_crossings) return {};
+    ++path.crossings;
+    return onto(path, share, 2);
+}
+
+std::optional<Integrator::PathState> Integrator::onto(PathState path, const Rgb& share,
+                                                      std::uint64_t child) const {
+    constexpr auto last = std::numeric_limits<decltype(path.branch)>::max();
+    if (path.branch > (last - child) / 2) return {}; // after 64 surfaces
+    path.weight *= share;
+    path.branch = 2 * path.branch + child;
+    return max_channel(path.weight) >= options_.min_weight ? std::optional(path) : std::nullopt;
+}
+
+} // namespace keiko

@@ -1,0 +1,16 @@
+#include "keiko/workflow/render_stereo.h"
+
+#include "keiko/film/stereo_film.h"
+
+namespace keiko {
+
+Film render_stereo(const Scene& scene, const LightRig& rig, const Camera& camera,
+                   const Stereo& stereo, StereoLayout layout, const PictureOptions& options,
+                   const Job& job) {
+    const StereoPair eyes = stereo_pair(camera, stereo);
+    const Film left = render_view(scene, rig, eyes.left, options, job);
+    const Film right = render_view(scene, rig, eyes.right, options, job);
+    return layout == StereoLayout::anaglyph ? anaglyph(left, right) : side_by_side(left, right);
+}
+
+} // namespace keiko
