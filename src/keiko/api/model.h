@@ -3,6 +3,7 @@
 
 #include "keiko/files/model/model_serialization.h"
 #include "keiko/files/photometric/luminaire_file.h"
+#include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/luminaire_facts.h"

@@ -39,6 +39,11 @@ OpenModel unpickled(const py::bytes& bytes, const std::vector<std::filesystem::p
             paths};
 }
 
+py::array bounds_of(const OpenModel& open) {
+    return corners_of(
+        run({py::none(), 0}, [&](const Job& job) { return material_bounds(*open.model, job); }));
+}
+
 std::string words_of(const OpenModel& open) {
     const SurfaceModel& model = *open.model;
     return model.source + ": " + std::to_string(model.faces.size()) + " faces, " +
@@ -46,6 +51,13 @@ std::string words_of(const OpenModel& open) {
 }
 
 } // namespace
+
+py::array corners_of(const Box3& box) {
+    py::array_t<double> array({2, 3});
+    auto numbers = array.mutable_unchecked<2>();
+    for (int k = 0; k < 3; ++k) numbers(0, k) = box.lower[k], numbers(1, k) = box.upper[k];
+    return array;
+}
 
 py::list faces_of(const SurfaceModel& model) {
     py::list faces;
@@ -74,6 +86,7 @@ void add_models(py::module_& module) {
                                [](const OpenModel& open) { return losses_of(*open.model); })
         .def_property_readonly("source", [](const OpenModel& open) { return open.model->source; })
         .def_property_readonly("unit", [](const OpenModel& open) { return open.model->unit; })
+        .def_property_readonly("bounds", &bounds_of)
         .def("__repr__", [](const OpenModel& open) { return "<Model of " + words_of(open) + ">"; })
         .def("__reduce__", [](const OpenModel& open) {
             return py::make_tuple(py::module_::import("keiko").attr("_unpickled"),

@@ -48,6 +48,8 @@ std::filesystem::path path_of(const pybind11::object& input);
 pybind11::list faces_of(const SurfaceModel& model);
 /// Why faces were lost, a reason each.
 std::vector<std::string> losses_of(const SurfaceModel& model);
+/// Lowest and highest corner of a box, mm: 2 x 3.
+pybind11::array corners_of(const Box3& box);
 /// The body of a Model or a Scene; null for anything else.
 std::shared_ptr<const SurfaceModel> model_of(const pybind11::object& input);
 

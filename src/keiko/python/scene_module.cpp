@@ -95,14 +95,6 @@ OpenScene open(const py::object& input, const std::string& unit, const std::stri
     return opened;
 }
 
-py::array bounds_of(const OpenScene& open) {
-    const Box3& box = open.scene->tracer.bounds();
-    py::array_t<double> array({2, 3});
-    auto numbers = array.mutable_unchecked<2>();
-    for (int k = 0; k < 3; ++k) numbers(0, k) = box.lower[k], numbers(1, k) = box.upper[k];
-    return array;
-}
-
 } // namespace
 
 void add_scenes(py::module_& module) {
@@ -114,7 +106,8 @@ void add_scenes(py::module_& module) {
              py::arg("threads") = 0)
         .def_property_readonly("faces",
                                [](const OpenScene& open) { return faces_of(open.scene->model); })
-        .def_property_readonly("bounds", &bounds_of)
+        .def_property_readonly(
+            "bounds", [](const OpenScene& open) { return corners_of(open.scene->tracer.bounds()); })
         .def_property_readonly("lost_faces",
                                [](const OpenScene& open) { return losses_of(open.scene->model); })
         .def_readonly("paths", &OpenScene::paths)

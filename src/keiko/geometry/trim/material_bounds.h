@@ -1,9 +1,10 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/math/bounds.h"
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 struct SurfaceModel;
 

@@ -10,6 +10,7 @@ import tempfile as _tempfile
 
 import numpy as _np
 
+from . import _pages
 from ._documents import Check, Comparison, Document, Facts, Judged, Lines, Regression, Report, ScanComparison
 from ._keiko import (Curve, DeepBuffer, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
                      accept_findings, check_json, compare_json, deep_buffer, hit_dtype, illuminance_numbers, info_json,
@@ -26,6 +27,17 @@ __all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Error", "F
 
 for _type in (Check, Comparison, Document, Facts, Judged, Lines, Regression, Report, ScanComparison, Rig):
     _type.__module__ = __name__  # what pickles and help() name
+
+
+def _shown_by(page):
+    """The method by which a notebook shows a result."""
+    def _repr_html_(self) -> str:
+        return page(self)
+    return _repr_html_
+
+
+for _type, _page in ((Mesh, _pages.mesh), (Model, _pages.model), (Placement, _pages.placement), (Scene, _pages.scene)):
+    _type._repr_html_ = _shown_by(_page)
 
 
 def _unpickled(content, paths) -> Model:

@@ -1,15 +1,11 @@
 """Results with the keys and values of the JSON documents of the command line."""
 from __future__ import annotations
 
-import html
 import json
+from math import inf
 
+from . import _pages
 from ._keiko import write_report  # type: ignore[import]
-
-
-def _framed(page: str) -> str:
-    """A page in a frame of a notebook."""
-    return f'<iframe srcdoc="{html.escape(page)}" width="100%" height="720" frameborder="0"></iframe>'
 
 
 class Document:
@@ -95,12 +91,9 @@ class Check(Judged):
         return f"<{type(self).__name__}: {self.verdict}, {len(self.findings)} findings, {len(self.looks)} looks>"
 
     def _repr_html_(self) -> str:
-        rows = "".join(
-            f"<tr><td>{i}</td><td>{html.escape(f['code'])}</td><td>{html.escape(f['faces'])}</td>"
-            f"<td style='text-align:left'>{html.escape(f['message'])}</td></tr>"
-            for i, f in enumerate((self.findings + self.looks)[:20], 1))
-        return (f"<p><b>{self.verdict}</b>, {len(self.findings)} findings, {len(self.looks)} looks</p>"
-                f"<table><tr><th>#</th><th>code</th><th>faces</th><th>what</th></tr>{rows}</table>")
+        rows = ((i, f["code"], f["faces"], f["message"]) for i, f in enumerate(self.findings + self.looks, 1))
+        return (_pages.heading(self.verdict, f"{len(self.findings)} findings, {len(self.looks)} looks")
+                + _pages.table(["#", "code", "faces", "what"], rows))
 
 
 class Report(Check):
@@ -124,15 +117,37 @@ class Report(Check):
         return type(self), (self._files, self._base)
 
     def _repr_html_(self) -> str:
-        return _framed(self.html)
+        return _pages.framed(self.html)
 
 
 class Lines(Judged):
     """Lines of the lamps on a body, as `keiko lines` writes them."""
 
+    def _repr_html_(self) -> str:
+        counts, found = self._values["counts"], self._values["lines"]
+        words = ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in counts.items())
+        length = sum(line["length"] for line in found)
+        order = ["fail", "undecided", "pass"]
+        judged = sorted((c for c in self._values["crossings"] if c["verdict"] in order),
+                        key=lambda c: (order.index(c["verdict"]), -(inf if c["severity"] is None else c["severity"])))
+        rows = ((i, c["verdict"], c["view"], c["faces"], ", ".join(f"{x:.1f}" for x in c["place"]))
+                for i, c in enumerate(judged, 1))
+        return (_pages.heading(self.verdict, f"crossings: {words}; {len(found)} lines of {length:.0f} mm")
+                + _pages.table(["#", "verdict", "view", "faces", "place"], rows))
+
 
 class Comparison(Judged):
     """Two revisions of a part, as `keiko compare --json` has them."""
+
+    def _repr_html_(self) -> str:
+        values = self._values
+        rows = [("within" if c["within"] else "beyond" if c["judged"] else "not judged", c["name"], c["message"])
+                for c in values["checks"]]
+        findings = values["findings"]
+        changed = [(state, f["code"], f["faces"], f["message"]) for state in ("new", "fixed") for f in findings[state]]
+        return (_pages.heading(self.verdict, f"{values['before']} and {values['after']}")
+                + _pages.table(["", "check", "what"], rows)
+                + _pages.table(["finding", "code", "faces", "what"], changed))
 
 
 class ScanComparison(Judged):
@@ -151,7 +166,7 @@ class ScanComparison(Judged):
         return type(self), (self._text, self.html, self.deviations)
 
     def _repr_html_(self) -> str:
-        return _framed(self.html)
+        return _pages.framed(self.html)
 
 
 class Facts(Document):
@@ -165,3 +180,8 @@ class Regression(Document):
     def state(self) -> str:
         """"same", "different", "missing" or "error": the worst of all fixtures."""
         return self._values["state"]
+
+    def _repr_html_(self) -> str:
+        fixtures = self._values["fixtures"]
+        return (_pages.heading(self.state, _pages.counted(len(fixtures), "fixture"))
+                + _pages.table(["state", "fixture"], ((one["state"], one["name"]) for one in fixtures)))
