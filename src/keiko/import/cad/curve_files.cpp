@@ -37,6 +37,7 @@
 #include <XCAFDoc_DocumentTool.hxx>
 #include <XCAFDoc_ShapeTool.hxx>
 
+#include <optional>
 #include <sstream>
 
 namespace keiko::cad {
@@ -201,16 +202,25 @@ NurbsCurve<Vec4> curve_of(const TopoDS_Edge& edge) {
     return result;
 }
 
-NamedCurve named_curve(const TDF_Label& label, XCAFDoc_ColorTool& colors) {
-    NamedCurve curve{name_of(label)};
-    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
-    for (TopExp_Explorer edges(shape, TopAbs_EDGE, TopAbs_FACE); edges.More(); edges.Next())
-        if (const auto& edge = TopoDS::Edge(edges.Current()); !BRep_Tool::Degenerated(edge))
-            curve.pieces.push_back(curve_of(edge));
+std::optional<Rgb> color_of(const TopoDS_Shape& shape, XCAFDoc_ColorTool& colors) {
     Quantity_Color color;
     if (colors.GetColor(shape, XCAFDoc_ColorCurv, color) ||
         colors.GetColor(shape, XCAFDoc_ColorGen, color))
-        curve.color.emplace(color.Red(), color.Green(), color.Blue());
+        return Rgb(color.Red(), color.Green(), color.Blue());
+    return std::nullopt;
+}
+
+NamedCurve named_curve(const TDF_Label& label, XCAFDoc_ColorTool& colors) {
+    NamedCurve curve{name_of(label)};
+    const TopoDS_Shape shape = XCAFDoc_ShapeTool::GetShape(label);
+    curve.color = color_of(shape, colors);
+    for (TopExp_Explorer edges(shape, TopAbs_EDGE, TopAbs_FACE); edges.More(); edges.Next()) {
+        const auto& edge = TopoDS::Edge(edges.Current());
+        if (BRep_Tool::Degenerated(edge)) continue;
+        curve.pieces.push_back(curve_of(edge));
+        // OpenCASCADE colours the pieces of a compound, and not the compound.
+        if (!curve.color) curve.color = color_of(edges.Current(), colors);
+    }
     return curve;
 }
 
