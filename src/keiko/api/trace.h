@@ -3,3 +3,4 @@
 
 #include "keiko/stream/hit_columns.h"
 #include "keiko/stream/trace_rays.h"
+#include "keiko/stream/traced_rays.h"

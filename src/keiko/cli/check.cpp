@@ -52,13 +52,9 @@ void withdraw_earlier(const CheckArguments& arguments) {
 void add_curves(FileTransaction& outputs, const CheckArguments& arguments,
                 const CheckResult& result, const Job& job) {
     if (arguments.curves.files().empty()) return;
-    const CheckOptions& options = arguments.options;
-    const std::span<const CombCurve> combs = result.combs
-                                                 ? std::span<const CombCurve>(result.combs->curves)
-                                                 : std::span<const CombCurve>();
-    const CurveSet curves = inspection_curves(result.inspection, combs, options.combs.chord_error);
+    const CurveSet curves = check_curves(result, arguments.options);
     for (const auto& file : arguments.curves.files())
-        outputs.add(file, curve_output(curves, file, options.load, job));
+        outputs.add(file, curve_output(curves, file, arguments.options.load, job));
 }
 
 /// The options of a check, as they were given.

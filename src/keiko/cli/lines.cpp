@@ -83,13 +83,10 @@ void write_curves(const LinesArguments& arguments, const Scene& scene, const Lin
                   const Job& job) {
     if (arguments.curves.files().empty()) return;
     CurveSet set = line_curves(list);
-    for (const ViewLines& view : list.views) {
-        if (!arguments.contours) break;
-        const std::vector<ContourLine> found = contour_curves(
-            scene.model, LineEye(view.camera), arguments.options.lines.lines.chord_error, job);
-        for (NamedCurve& curve : contour_set(scene.model, view.view, found))
+    if (arguments.contours)
+        for (NamedCurve& curve :
+             view_contours(scene, list, arguments.options.lines.lines.chord_error, job))
             set.curves.push_back(std::move(curve));
-    }
     for (const auto& file : arguments.curves.files())
         write_text_file(file, curve_output(set, file, load_options(arguments.scene), job));
 }

@@ -29,16 +29,7 @@ void render_look(const RenderArguments& arguments, const ChosenMode& chosen, con
                  const Scene& shown, const NamedView& view, const Job& job) {
     const LightRig rig =
         chosen.look == AnalysisMode::highlight ? rig_of(scene, arguments, view, job) : LightRig{};
-    const Film film = render_view(shown, {}, view.camera,
-                                  {.aovs = look_layers(chosen.look), .max_depth = 0}, job);
-    AnalysisOptions options = chosen.options;
-    if (chosen.look == AnalysisMode::section)
-        options.sections = section_curvatures(shown.seen(), view.camera, chosen.section, job);
-    if (chosen.look == AnalysisMode::distortion)
-        options.deviations =
-            glass_deviations(shown.seen(), shown.seen_materials(), view.camera, job);
-    options.ground = 0;
-    write_png(arguments.output, analysis_picture(chosen.look, film, view.camera, rig, options));
+    write_png(arguments.output, scene_analysis(shown, view.camera, rig, chosen, job));
 }
 
 /// "picture.png" of frame 7 is "picture-0007.png".

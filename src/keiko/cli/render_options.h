@@ -9,13 +9,6 @@
 
 namespace keiko::cli {
 
-/// An analysis mode and its settings.
-struct ChosenMode {
-    AnalysisMode look = AnalysisMode::zebra; ///< the mode
-    AnalysisOptions options{};               ///< as given, else the defaults
-    Vec3 section{0, 1, 0};                   ///< normal of the planes of sections
-};
-
 /// Two eyes instead of one.
 struct ChosenStereo {
     StereoLayout layout = StereoLayout::side_by_side; ///< of both pictures in one

@@ -1,6 +1,7 @@
 #include "keiko/api/accept.h"
 #include "keiko/api/check.h"
 #include "keiko/api/inspect.h"
+#include "keiko/api/lines.h"
 #include "keiko/api/place.h"
 #include "keiko/api/results.h"
 #include "keiko/python/module.h"
@@ -10,28 +11,25 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <map>
-#include <tuple>
+#include <optional>
 
 namespace py = pybind11;
 
 namespace keiko::python {
 namespace {
 
+std::vector<std::string> words_of(const py::dict& arguments, const char* name) {
+    return arguments[name].cast<std::vector<std::string>>();
+}
+
 /// Sets what check and inspect judge alike, from their keyword arguments. Throws Error naming the
 /// argument.
 template <class Options>
 void set_judging(const py::dict& judging, Options& options) {
-    const auto words = [&](const char* name) {
-        return judging[name].cast<std::vector<std::string>>();
-    };
     options.preset = preset_by_name_or_file(judging["preset"].cast<std::string>());
     options.join = options.combs.join = judging["join"].cast<double>();
-    options.scope.selection.faces = words("faces");
-    options.scope.selection.layers = words("layers");
-    options.scope.zones = words("zones");
-    for (const std::string& color : words("colors"))
-        options.scope.selection.colors.push_back(FaceColor::parse(color));
-    for (const std::string& plane : words("sections"))
+    options.scope = scope_of(judging);
+    for (const std::string& plane : words_of(judging, "sections"))
         options.combs.planes.push_back(section_plane(plane));
     options.combs.iso_curves = judging["iso_curves"].cast<int>();
     options.joints = judging["joints"].cast<bool>();
@@ -39,31 +37,47 @@ void set_judging(const py::dict& judging, Options& options) {
     if (accepted) options.acceptances = read_acceptances(*accepted, date_today());
 }
 
-/// The documents of a check: the inspection, its combs and its profiles; None where none were
-/// requested.
+/// The documents and curves of a check, all but the first if they were requested.
+struct CheckDocuments {
+    std::string inspection;
+    std::optional<std::string> combs, profiles;
+    std::vector<NamedCurve> curves;
+
+    CheckDocuments(const CheckResult& result, const CheckOptions& options, bool with_curves)
+        : inspection(inspection_json(result.inspection, version())) {
+        if (result.combs) combs = result.combs->json;
+        if (options.profiles)
+            profiles = profiles_json(result.profiles, result.inspection, version());
+        if (with_curves) curves = check_curves(result, options).curves;
+    }
+};
+
+/// The documents of a check: the inspection, its combs and its profiles, None where none were
+/// requested, and its curves.
 py::tuple check(const py::object& input, const py::dict& judging, const std::string& unit,
-                const std::string& axes, bool profiles, const py::object& progress, int threads) {
+                const std::string& axes, bool profiles, bool curves, const py::object& progress,
+                int threads) {
     const std::shared_ptr<const SurfaceModel> model = model_of(input);
     const auto paths = model ? std::vector<std::filesystem::path>() : paths_of(input);
     if (model) require_no_reading(unit, axes);
     CheckOptions options;
     set_judging(judging, options);
     options.load.unit = unit, options.load.axes = axes, options.profiles = profiles;
-    using Text = std::optional<std::string>;
-    const auto [inspection, combs, plots] = run({progress, threads}, [&](const Job& job) {
-        const CheckResult result =
-            model ? check_body(*model, options, job) : check_models(paths, options, job);
-        return std::tuple(
-            inspection_json(result.inspection, version()),
-            result.combs ? Text(result.combs->json) : Text(),
-            profiles ? Text(profiles_json(result.profiles, result.inspection, version())) : Text());
+    CheckDocuments found = run({progress, threads}, [&](const Job& job) {
+        return CheckDocuments(
+            model ? check_body(*model, options, job) : check_models(paths, options, job), options,
+            curves);
     });
-    return py::make_tuple(inspection, combs, plots);
+    return py::make_tuple(found.inspection, found.combs, found.profiles, found.curves);
 }
 
-py::dict bytes_of(const FolderContent& content) {
-    py::dict files;
-    for (const auto& [name, bytes] : content) files[py::str(name)] = py::bytes(bytes);
+/// The files of the preset and the acceptances, for the inputs of a report.
+std::vector<std::filesystem::path> settings_of(const py::dict& judging) {
+    std::vector<std::filesystem::path> files;
+    const auto preset = judging["preset"].cast<std::string>();
+    if (is_preset_path(preset)) files.emplace_back(preset);
+    const auto accepted = judging["accepted"].cast<std::optional<std::filesystem::path>>();
+    if (accepted) files.push_back(*accepted);
     return files;
 }
 
@@ -73,6 +87,7 @@ py::dict inspect(const OpenScene& open, const py::dict& judging,
                  std::size_t close_ups, const py::object& progress, int threads) {
     InspectOptions options;
     set_judging(judging, options);
+    options.settings = settings_of(judging);
     options.views = views, options.close_ups = close_ups;
     const ChosenRig lamps(rig);
     return bytes_of(run({progress, threads}, [&](const Job& job) {
@@ -113,6 +128,22 @@ std::size_t accept(const std::filesystem::path& report, const std::vector<std::s
 }
 
 } // namespace
+
+py::dict bytes_of(const FolderContent& content) {
+    py::dict files;
+    for (const auto& [name, bytes] : content) files[py::str(name)] = py::bytes(bytes);
+    return files;
+}
+
+Scope scope_of(const py::dict& arguments) {
+    Scope scope;
+    scope.selection.faces = words_of(arguments, "faces");
+    scope.selection.layers = words_of(arguments, "layers");
+    scope.zones = words_of(arguments, "zones");
+    for (const std::string& color : words_of(arguments, "colors"))
+        scope.selection.colors.push_back(FaceColor::parse(color));
+    return scope;
+}
 
 void add_inspections(py::module_& module) {
     module.def("check_json", &check);

@@ -75,10 +75,13 @@ PYBIND11_MODULE(_keiko, module) {
     keiko::python::add_models(module);
     keiko::python::add_rigs(module);
     keiko::python::add_curves(module);
+    keiko::python::add_lines(module);
     keiko::python::add_scenes(module);
     keiko::python::add_inspections(module);
     keiko::python::add_pictures(module);
+    keiko::python::add_analyses(module);
     keiko::python::add_meshes(module);
     keiko::python::add_scans(module);
+    keiko::python::add_comparisons(module);
     keiko::python::add_verbs(module);
 }

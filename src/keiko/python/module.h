@@ -1,7 +1,10 @@
 #pragma once
 
+#include "keiko/api/check.h"
 #include "keiko/api/scene.h"
 #include "keiko/api/trace.h"
+#include "keiko/api/view.h"
+#include "keiko/base/output_folder.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -27,6 +30,7 @@ struct OpenScene {
     std::string unit, axes;                    ///< as LoadOptions
     std::string material;                      ///< as SceneOptions
     bool shadows = false;                      ///< as SceneOptions
+    double frame = 0;                          ///< as SceneOptions
     std::shared_ptr<const Scene> scene;        ///< never null once it is open
 };
 
@@ -43,6 +47,12 @@ std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 
 /// Path of one path. Raises TypeError for anything else.
 std::filesystem::path path_of(const pybind11::object& input);
+
+/// The part of a body that is judged, from keyword arguments. Throws Error naming the argument.
+Scope scope_of(const pybind11::dict& arguments);
+
+/// Files of a folder by name.
+pybind11::dict bytes_of(const FolderContent& content);
 
 /// Number, name and layer of each face.
 pybind11::list faces_of(const SurfaceModel& model);
@@ -63,7 +73,17 @@ struct ChosenRig {
 
     /// A path, a keiko.Rig, or None. Throws Error for lamps that no file can hold.
     explicit ChosenRig(const pybind11::object& rig);
+    /// These lamps, or else the scene's own. Throws Error without either.
+    LightRig of(const Scene& scene) const;
 };
+
+/// The view of a name, empty for the scene's own or the best; its size is the scene's where none is
+/// given.
+NamedView view_named(const Scene& scene, const std::string& view, std::optional<int> width,
+                     std::optional<int> height, const Job& job);
+/// The chosen lamps, or else the scene's own, or those that are placed for the view.
+LightRig lamps_of(const Scene& scene, const ChosenRig& chosen, const NamedView& view,
+                  const Job& job);
 
 /// Calls `work(scene, file)` with the scene and the file of the lamps, or with a scene of the same
 /// body that has the lamps at hand as its own.
@@ -77,22 +97,28 @@ auto under(const ChosenRig& lamps, const Scene& scene, const Work& work) {
 
 /// The class Model and the functions load_model and unpickled_model.
 void add_models(pybind11::module_& module);
-/// The classes Curve and Spline, and the function read_curves.
+/// The classes Curve and Spline, and the functions read_curves and write_curves.
 void add_curves(pybind11::module_& module);
 /// The functions rig_of_file and rig_of_text, which return the text of a rig file.
 void add_rigs(pybind11::module_& module);
-/// The class Scene, what it traces, and the function open_scene.
+/// The class Scene, what it traces, and the functions open_scene and luminance_numbers.
 void add_scenes(pybind11::module_& module);
 /// The functions check_json, report_files, write_report and accept_findings.
 void add_inspections(pybind11::module_& module);
-/// The functions place_lamps, lines_json, compare_json, info_json, regress_json, accept_baselines
+/// The function find_lines.
+void add_lines(pybind11::module_& module);
+/// The function comparison_files.
+void add_comparisons(pybind11::module_& module);
+/// The functions place_lamps, info_json, regress_json, accept_baselines
 /// and illuminance_numbers.
 void add_verbs(pybind11::module_& module);
 /// The class Mesh and the function surface_mesh.
 void add_meshes(pybind11::module_& module);
 /// The functions scan_deviations and scan_points.
 void add_scans(pybind11::module_& module);
-/// The function render and the class Film.
+/// The function analysis_png.
+void add_analyses(pybind11::module_& module);
+/// The functions render_film and deep_buffer, and the classes Film and DeepBuffer.
 void add_pictures(pybind11::module_& module);
 
 } // namespace keiko::python

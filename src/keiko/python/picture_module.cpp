@@ -1,6 +1,7 @@
 #include "keiko/api/place.h"
 #include "keiko/api/render.h"
 #include "keiko/api/view.h"
+#include "keiko/base/error.h"
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
@@ -8,6 +9,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <cmath>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -29,14 +32,6 @@ py::array records_of(const std::vector<Record>& records, std::vector<py::ssize_t
     return py::array_t<Record>(std::move(shape), records.data(), owner);
 }
 
-NamedView view_named(const Scene& scene, const std::string& view, std::optional<int> width,
-                     std::optional<int> height, const Job& job) {
-    const std::vector<std::string> names(view.empty() ? 0 : 1, view);
-    return choose_views(scene, names, 1, width.value_or(scene.width), height.value_or(scene.height),
-                        job)
-        .front();
-}
-
 DeepBuffer deep(const OpenScene& open, const std::string& view, std::optional<int> width,
                 std::optional<int> height, int reflections, const py::object& progress,
                 int threads) {
@@ -46,23 +41,84 @@ DeepBuffer deep(const OpenScene& open, const std::string& view, std::optional<in
     });
 }
 
+/// The value of a word. Throws FieldError naming the argument for another word.
+template <class Value>
+Value value_of(const char* argument, const std::string& word,
+               const std::map<std::string, Value>& values) {
+    if (const auto found = values.find(word); found != values.end()) return found->second;
+    std::string words;
+    for (const auto& [name, value] : values) words += (words.empty() ? "" : ", ") + name;
+    throw FieldError(argument, "'" + word + "' is none of " + words);
+}
+
+/// How light and edges are computed, from keyword arguments.
+PictureOptions accuracy_of(const py::dict& given) {
+    PictureOptions options;
+    options.tubes = value_of<TubeModel>("penumbrae", given["penumbrae"].cast<std::string>(),
+                                        {{"width", TubeModel::picture},
+                                         {"exact", TubeModel::automatic},
+                                         {"axis", TubeModel::preview}});
+    options.light_error = given["light_error"].cast<double>();
+    if (!(options.light_error >= 0 && options.light_error <= 0.1))
+        throw FieldError("light_error", "is not 0 to 0.1");
+    options.edge_samples = given["edge_samples"].cast<int>();
+    if (options.edge_samples < 1 || options.edge_samples > 16)
+        throw FieldError("edge_samples", "is not 1 to 16");
+    return options;
+}
+
 Film render(const OpenScene& open, const std::string& view, const py::object& rig,
             std::optional<int> width, std::optional<int> height,
-            const std::vector<std::string>& aovs, const py::object& progress, int threads) {
+            const std::vector<std::string>& aovs, const py::dict& accuracy,
+            const py::object& progress, int threads) {
     const ChosenRig chosen(rig);
+    PictureOptions options = accuracy_of(accuracy);
+    for (const std::string& name : aovs) options.aovs.push_back(aov_by_name(name));
     return run({progress, threads}, [&](const Job& job) {
         const Scene& scene = *open.scene;
         const NamedView seen = view_named(scene, view, width, height, job);
-        PictureOptions options;
-        for (const std::string& name : aovs) options.aovs.push_back(aov_by_name(name));
-        const LightRig lamps =
-            chosen.rig ? *chosen.rig
-                       : choose_lights(scene, chosen.file, std::span(&seen, 1), {}, job).rig;
+        const LightRig lamps = lamps_of(scene, chosen, seen, job);
         return render_view(scene, lamps, seen.camera, picture_options(scene, options), job);
     });
 }
 
+py::bytes png(const Film& film, const std::string& tone, const std::optional<double>& ev) {
+    using Curve = ToneMapping::Curve;
+    ToneMapping mapping;
+    mapping.curve = value_of<Curve>(
+        "tone", tone,
+        {{"linear", Curve::linear}, {"log", Curve::logarithmic}, {"reinhard", Curve::reinhard}});
+    mapping.ev = ev;
+    return encode_png(tone_mapped(film, mapping));
+}
+
+/// A keiko.Picture.
+py::object false_colors(const Film& film, double minimum, double maximum,
+                        const std::string& quantity, bool iso_lines) {
+    if (!(minimum > 0 && minimum < maximum && std::isfinite(maximum)))
+        throw FieldError("minimum", "is not above 0 and below maximum");
+    const auto shown = value_of<ShownQuantity>(
+        "quantity", quantity,
+        {{"luminance", ShownQuantity::luminance}, {"illuminance", ShownQuantity::illuminance}});
+    const Image picture = false_color_picture(film, {minimum, maximum}, iso_lines, shown);
+    return py::module_::import("keiko").attr("Picture")(py::bytes(encode_png(picture)));
+}
+
 } // namespace
+
+NamedView view_named(const Scene& scene, const std::string& view, std::optional<int> width,
+                     std::optional<int> height, const Job& job) {
+    const std::vector<std::string> names(view.empty() ? 0 : 1, view);
+    return choose_views(scene, names, 1, width.value_or(scene.width), height.value_or(scene.height),
+                        job)
+        .front();
+}
+
+LightRig lamps_of(const Scene& scene, const ChosenRig& chosen, const NamedView& view,
+                  const Job& job) {
+    if (chosen.rig) return *chosen.rig;
+    return choose_lights(scene, chosen.file, std::span(&view, 1), {}, job).rig;
+}
 
 void add_pictures(py::module_& module) {
     const auto color = [](const py::object& film, const py::args&, const py::kwargs&) {
@@ -83,7 +139,12 @@ void add_pictures(py::module_& module) {
                                })
         .def("__array__", color)
         .def("_repr_png_",
-             [](const Film& film) { return py::bytes(encode_png(tone_mapped(film))); });
+             [](const Film& film) { return py::bytes(encode_png(tone_mapped(film))); })
+        .def("png", &png, py::arg("tone") = "linear", py::arg("ev") = py::none())
+        .def("exr", [](const Film& film) { return py::bytes(encode_exr(film)); })
+        .def("false_colors", &false_colors, py::arg("minimum") = FalseColorScale{}.minimum,
+             py::arg("maximum") = FalseColorScale{}.maximum, py::arg("quantity") = "luminance",
+             py::arg("iso_lines") = false);
     module.def("render_film", &render);
     PYBIND11_NUMPY_DTYPE(DeepSample, t, normal_x, normal_y, shape_xx, shape_xy, shape_yy, way,
                          face);

@@ -1,4 +1,5 @@
 #include "keiko/api/place.h"
+#include "keiko/base/error.h"
 #include "keiko/python/module.h"
 
 #include <pybind11/stl/filesystem.h>
@@ -13,6 +14,13 @@ ChosenRig::ChosenRig(const py::object& lamps) {
         rig = parse_rig(lamps.attr("text").cast<std::string>(), "rig");
     else
         file = path_of(lamps);
+}
+
+LightRig ChosenRig::of(const Scene& scene) const {
+    if (file) return read_rig(*file);
+    if (rig) return *rig;
+    if (!scene.rig) throw FieldError("rig", "the scene has no lamps of its own");
+    return *scene.rig;
 }
 
 void add_rigs(py::module_& module) {

@@ -7,8 +7,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+#include <iterator>
 #include <limits>
 #include <memory>
+#include <span>
 
 namespace py = pybind11;
 
@@ -72,12 +75,55 @@ py::array trace(const OpenScene& open, const NumberRows& array, const py::object
     }));
 }
 
+/// The index of the ray of each hit, and the hits of all rays, by ray and rising t.
+py::tuple trace_all(const OpenScene& open, const NumberRows& array, const py::object& progress,
+                    int threads) {
+    const std::vector<Ray> rays = rays_of(array, "rays", "origin and direction");
+    const auto found = run({progress, threads}, [&](const Job& job) {
+        std::vector<std::vector<HitRow>> rows(rays.size());
+        trace_all_hits(
+            *open.scene, rays,
+            [&](std::size_t i, std::span<const Hit> hits) {
+                std::transform(hits.begin(), hits.end(), std::back_inserter(rows[i]), row_of);
+            },
+            job);
+        return rows;
+    });
+    std::vector<std::int64_t> numbers;
+    std::vector<HitRow> hits;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        numbers.insert(numbers.end(), found[i].size(), static_cast<std::int64_t>(i));
+        hits.insert(hits.end(), found[i].begin(), found[i].end());
+    }
+    const py::array ray =
+        py::array_t<std::int64_t>(static_cast<py::ssize_t>(numbers.size()), numbers.data());
+    return py::make_tuple(ray, array_of(std::move(hits)));
+}
+
+/// n rows of red, green and blue, cd/m2.
+py::array luminance(const OpenScene& open, const NumberRows& array, const py::object& rig,
+                    const py::object& progress, int threads) {
+    const std::vector<Ray> rays = rays_of(array, "rays", "origin and direction");
+    const ChosenRig lamps(rig);
+    const std::vector<Rgb> found = run({progress, threads}, [&](const Job& job) {
+        return luminances_along(*open.scene, lamps.of(*open.scene), rays, job);
+    });
+    py::array_t<double> colors({static_cast<py::ssize_t>(found.size()), py::ssize_t{3}});
+    auto rows = colors.mutable_unchecked<2>();
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto row = static_cast<py::ssize_t>(i);
+        rows(row, 0) = found[i].r, rows(row, 1) = found[i].g, rows(row, 2) = found[i].b;
+    }
+    return colors;
+}
+
 OpenScene open(const py::object& input, const std::string& unit, const std::string& axes,
-               const std::string& material, bool shadows, const py::object& progress, int threads) {
+               const std::string& material, bool shadows, double frame, const py::object& progress,
+               int threads) {
     SceneOptions options;
     options.load.unit = unit, options.load.axes = axes;
-    options.material = material, options.shadows = shadows;
-    OpenScene opened{{}, nullptr, unit, axes, material, shadows, nullptr};
+    options.material = material, options.shadows = shadows, options.frame = frame;
+    OpenScene opened{{}, nullptr, unit, axes, material, shadows, frame, nullptr};
     if (py::isinstance<OpenModel>(input)) {
         const auto& [model, paths] = input.cast<const OpenModel&>();
         require_no_reading(unit, axes);
@@ -104,6 +150,8 @@ void add_scenes(py::module_& module) {
     py::class_<OpenScene>(module, "Scene")
         .def("trace", &trace, py::arg("rays"), py::kw_only(), py::arg("progress") = py::none(),
              py::arg("threads") = 0)
+        .def("trace_all", &trace_all, py::arg("rays"), py::kw_only(),
+             py::arg("progress") = py::none(), py::arg("threads") = 0)
         .def_property_readonly("faces",
                                [](const OpenScene& open) { return faces_of(open.scene->model); })
         .def_property_readonly(
@@ -114,16 +162,18 @@ void add_scenes(py::module_& module) {
         .def("__reduce__", [](const OpenScene& open) {
             const py::dict options(py::arg("unit") = open.unit, py::arg("axes") = open.axes,
                                    py::arg("material") = open.material,
-                                   py::arg("shadows") = open.shadows);
+                                   py::arg("shadows") = open.shadows,
+                                   py::arg("frame") = open.frame);
             return py::make_tuple(
                 py::module_::import("keiko").attr("_reopen"),
                 py::make_tuple(
                     open.model ? py::cast(OpenModel{open.model, open.paths}) : py::cast(open.paths),
                     options));
         });
+    module.def("luminance_numbers", &luminance);
     module.def("open_scene", &open, py::arg("input"), py::kw_only(), py::arg("unit") = "",
                py::arg("axes") = "", py::arg("material") = SceneOptions{}.material,
-               py::arg("shadows") = false, py::arg("progress") = py::none(),
+               py::arg("shadows") = false, py::arg("frame") = 0.0, py::arg("progress") = py::none(),
                py::arg("threads") = 0);
 }
 

@@ -1,6 +1,4 @@
-#include "keiko/api/compare.h"
 #include "keiko/api/light.h"
-#include "keiko/api/lines.h"
 #include "keiko/api/model.h"
 #include "keiko/api/place.h"
 #include "keiko/api/regress.h"
@@ -15,7 +13,6 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <span>
 #include <utility>
 
 namespace py = pybind11;
@@ -41,48 +38,6 @@ PlacedLamps place(const OpenScene& open, const std::vector<std::string>& views, 
         for (const Diagnostic& remark : placement.diagnostics)
             placed.remarks.push_back(remark.entity + ": " + remark.message);
         return placed;
-    });
-}
-
-std::string lines(const OpenScene& open, const py::object& rig,
-                  const std::vector<std::string>& views, const std::string& preset, double join,
-                  const py::object& progress, int threads) {
-    const ChosenRig lamps(rig);
-    return run({progress, threads}, [&](const Job& job) {
-        return under(lamps, *open.scene, [&](const Scene& scene, const auto& file) {
-            LinesOptions options;
-            options.views = views, options.rig = file, options.join = join;
-            options.preset = preset_by_name_or_file(preset);
-            return lines_json(find_lines(scene, options, job), scene.model);
-        });
-    });
-}
-
-/// A body to compare: one that has been read, or the file of one.
-struct ComparedBody {
-    std::shared_ptr<const SurfaceModel> model;
-    std::filesystem::path file;
-
-    explicit ComparedBody(const py::object& input) : model(model_of(input)) {
-        if (!model) file = path_of(input);
-    }
-    OpenBody opener() const {
-        return [this](const Job& job) {
-            return model ? scene_of_model(*model, {}, job)
-                         : open_scene(std::span(&file, 1), {}, job);
-        };
-    }
-};
-
-std::string compare(const py::object& before, const py::object& after, const std::string& preset,
-                    double join, bool align, const py::object& progress, int threads) {
-    const ComparedBody former(before), latter(after);
-    return run({progress, threads}, [&](const Job& job) {
-        CompareBodiesOptions options;
-        options.preset = preset_by_name_or_file(preset), options.join = join;
-        options.align = align;
-        return comparison_json(
-            compare_bodies(former.opener(), latter.opener(), options, job).comparison);
     });
 }
 
@@ -130,11 +85,7 @@ py::tuple illuminance(const OpenScene& open, const NumberRows& points, const py:
     const std::vector<Ray> at = rays_of(points, "points", "point and normal");
     const ChosenRig lamps(rig);
     auto found = std::make_unique<PointIlluminance>(run({progress, threads}, [&](const Job& job) {
-        const Scene& scene = *open.scene;
-        if (lamps.file) return illuminance_at(scene, read_rig(*lamps.file), at, job);
-        if (lamps.rig) return illuminance_at(scene, *lamps.rig, at, job);
-        if (!scene.rig) throw FieldError("rig", "the scene has no lamps of its own");
-        return illuminance_at(scene, *scene.rig, at, job);
+        return illuminance_at(*open.scene, lamps.of(*open.scene), at, job);
     }));
     const py::object columns = py::cast(found->columns);
     const std::array<py::ssize_t, 2> shape{static_cast<py::ssize_t>(at.size()),
@@ -155,8 +106,6 @@ void add_verbs(py::module_& module) {
             return py::module_::import("keiko").attr("Rig")(rig_text(placed.rig));
         });
     module.def("place_lamps", &place);
-    module.def("lines_json", &lines);
-    module.def("compare_json", &compare);
     module.def("info_json", &info);
     module.def("regress_json", &regress);
     module.def("accept_baselines", &accept_baselines, py::arg("suite"), py::arg("names"),

@@ -115,26 +115,6 @@ void require_columns(const TraceOptions& options) {
     }
 }
 
-void trace_hits(const Scene& scene, std::span<const Ray> rays,
-                const std::function<void(std::size_t, const Hit*)>& write, const Job& job) {
-    constexpr std::size_t chunk = 4096;
-    const Tracer& tracer = scene.seen();
-    require_rays(rays, "rays", tracer.bounds());
-    parallel_for((rays.size() + chunk - 1) / chunk, job, "trace", [&](std::size_t i) {
-        const std::size_t first = i * chunk, count = std::min(chunk, rays.size() - first);
-        const auto hits = tracer.first_hits(rays.subspan(first, count));
-        for (std::size_t k = 0; k < count; ++k) {
-            if (!hits[k]) {
-                write(first + k, nullptr);
-                continue;
-            }
-            Hit told = *hits[k];
-            told.face = scene.face_id(told.face);
-            write(first + k, &told);
-        }
-    });
-}
-
 TraceCounts trace_rays(const Scene& scene, const ByteSource& rays, const ByteSink& hits,
                        const TraceOptions& options, const Job& job) {
     require_columns(options);

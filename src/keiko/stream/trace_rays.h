@@ -40,13 +40,6 @@ void require_columns(const TraceOptions& options);
 TraceCounts trace_rays(const Scene& scene, const ByteSource& rays, const ByteSink& hits,
                        const TraceOptions& options = {}, const Job& job = {});
 
-/// The first hits of rays on what the scene shows, its ground included: `write(ray, hit)` is called
-/// once for each ray by its index, on any thread; null: no hit. Hit::face is the number of the face
-/// in files and reports. Throws FieldError "rays" for a ray that trace_rays() would refuse.
-void trace_hits(const Scene& scene, std::span<const Ray> rays,
-                const std::function<void(std::size_t ray, const Hit* hit)>& write,
-                const Job& job = {});
-
 /// A piece of a stream of rays between lines and rows.
 struct RowPiece {
     RayLines lines;             ///< that were read

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/film/film.h"
 #include "keiko/intersect/traversal/tracer.h"
@@ -9,7 +8,7 @@
 
 #include <span>
 
-namespace KEIKO_API keiko {
+namespace keiko {
 
 /// How glass turns the lines of sight through the middles of a camera's pixels, 3 channels
 /// (docs/theory/glass.md#distortion). The first is the angle in mrad. The others are the direction

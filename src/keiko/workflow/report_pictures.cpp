@@ -102,7 +102,8 @@ std::vector<ReportPicture> standing_pictures(const Scene& part, const Report& re
                                              const Job& job) {
     const std::vector<ShownItem> items = shown_items(report);
     const std::vector<std::string> names = views_of(items);
-    PictureOptions options{.aovs = look_layers(AnalysisMode::zebra), .max_depth = 0};
+    PictureOptions options{
+        .aovs = look_layers(AnalysisMode::zebra), .max_depth = 0, .max_crossings = 0};
     options.aovs.push_back(Aov::depth);
     const Framing framing{.width = part.width, .height = part.height, .ground = part.ground()};
     JobSteps steps(job, static_cast<double>(names.size()));

@@ -2,7 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/files/model/byte_stream.h"
-#include "keiko/geometry/bernstein/bernstein.h"
+#include "keiko/geometry/model/curve_fault.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,18 +37,6 @@ double take_number(ByteReader& in) {
     return number;
 }
 
-void require_sound(const NurbsCurve<Vec4>& piece) {
-    const auto degree = static_cast<std::size_t>(piece.degree);
-    if (piece.degree < 1 || piece.degree > max_degree) throw DamagedBytes("an impossible degree");
-    if (piece.points.size() < degree + 1 || piece.knots.size() != piece.points.size() + degree + 1)
-        throw DamagedBytes("a curve with a wrong number of knots");
-    if (!std::is_sorted(piece.knots.begin(), piece.knots.end()) ||
-        !(piece.knots[degree] < piece.knots[piece.points.size()]))
-        throw DamagedBytes("knots that do not rise");
-    for (const Vec4& point : piece.points)
-        if (!(point.w > 0)) throw DamagedBytes("a weight that is not positive");
-}
-
 NurbsCurve<Vec4> take_piece(ByteReader& in) {
     NurbsCurve<Vec4> piece;
     piece.degree = static_cast<int>(std::min(in.take<std::uint32_t>(), 1000u));
@@ -57,7 +45,7 @@ NurbsCurve<Vec4> take_piece(ByteReader& in) {
     piece.points.resize(in.take_count(4 * sizeof(double)));
     for (Vec4& p : piece.points)
         for (double* part : {&p.x, &p.y, &p.z, &p.w}) *part = take_number(in);
-    require_sound(piece);
+    if (const std::string fault = fault_of(piece); !fault.empty()) throw DamagedBytes(fault);
     return piece;
 }
 

@@ -13,19 +13,21 @@ import numpy as _np
 from . import _pages
 from ._documents import Check, Comparison, Document, Facts, Judged, Lines, Regression, Report, ScanComparison
 from ._keiko import (Curve, DeepBuffer, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
-                     accept_findings, check_json, compare_json, deep_buffer, hit_dtype, illuminance_numbers, info_json,
-                     lines_json, load_model, open_scene, place_lamps, read_curves, regress_json, render_film, report_files,
-                     scan_deviations, scan_points, surface_mesh, unpickled_model, version)
+                     accept_findings, analysis_png, check_json, comparison_files, deep_buffer, find_lines, hit_dtype,
+                     illuminance_numbers, info_json, load_model, luminance_numbers, open_scene, place_lamps,
+                     read_curves, regress_json, render_film, report_files, scan_deviations, scan_points, surface_mesh,
+                     unpickled_model, version, write_curves)
+from ._picture import Picture
 from ._rig import Rig
 
 __version__ = version()
 __all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Mesh", "Model",
-           "Placement", "Regression", "Report", "Rig", "ScanComparison", "Scene", "Spline", "accept",
-           "accept_baselines", "check", "compare", "compare_scan", "deep_view", "hit_dtype", "illuminance", "info",
-           "inspect", "lines", "load", "mesh", "open_scene", "place", "read_curves", "read_scan", "regress", "render",
-           "version"]
+           "Picture", "Placement", "Regression", "Report", "Rig", "ScanComparison", "Scene", "Spline", "accept",
+           "accept_baselines", "analysis_picture", "check", "compare", "compare_scan", "deep_view", "hit_dtype",
+           "illuminance", "info", "inspect", "lines", "load", "luminance", "mesh", "open_scene", "place",
+           "read_curves", "read_scan", "regress", "render", "version", "write_curves"]
 
-for _type in (Check, Comparison, Document, Facts, Judged, Lines, Regression, Report, ScanComparison, Rig):
+for _type in (Check, Comparison, Document, Facts, Judged, Lines, Picture, Regression, Report, ScanComparison, Rig):
     _type.__module__ = __name__  # what pickles and help() name
 
 
@@ -76,24 +78,29 @@ def _words(one_or_more) -> list:
     return [str(word) for word in ([one_or_more] if alone else one_or_more)]
 
 
-def _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_curves, accepted) -> dict:
+def _scope(faces, layers, colors, zones) -> dict:
+    """The part of a body that is judged."""
+    return {"faces": _words(faces), "layers": _words(layers), "colors": _words(colors), "zones": _words(zones)}
+
+
+def _judging(preset, join, scope, joints, sections, iso_curves, accepted) -> dict:
     """What check and inspect judge alike."""
-    return {"preset": str(preset), "join": join, "faces": _words(faces), "layers": _words(layers),
-            "colors": _words(colors), "zones": _words(zones), "joints": joints,
-            "sections": _words(sections), "iso_curves": iso_curves, "accepted": accepted}
+    return {"preset": str(preset), "join": join, "joints": joints, "sections": _words(sections),
+            "iso_curves": iso_curves, "accepted": accepted, **scope}
 
 
 def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str = "", axes: str = "",
           faces=(), layers=(), colors=(), zones=(), joints: bool = False, sections=(), iso_curves: int = 0,
-          profiles: bool = False, accepted=None, progress=None, threads: int = 0) -> Check:
+          profiles: bool = False, curves: bool = False, accepted=None, progress=None, threads: int = 0) -> Check:
     """Judges the geometry of model files, of one scene file, a Model or a Scene, by a preset or a preset file.
 
     `faces`, `layers`, `colors` and `zones` judge a part of the body, by the words of `keiko check`. `joints`
     measures gap and flush between panels. `sections` ("y=120") and `iso_curves` fill `combs`, `profiles`
-    fills `profiles`. `accepted` is a file of accepted findings.
+    fills `profiles`. `curves` fills `curves`: sections, iso-curves, inflections of faces and seams as B-splines,
+    for write_curves. `accepted` is a file of accepted findings.
     """
-    judging = _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_curves, accepted)
-    return Check(*check_json(input, judging, unit, axes, profiles, progress, threads))
+    judging = _judging(preset, join, _scope(faces, layers, colors, zones), joints, sections, iso_curves, accepted)
+    return Check(*check_json(input, judging, unit, axes, profiles, curves, progress, threads))
 
 
 def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=(), rig=None, faces=(),
@@ -104,7 +111,7 @@ def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=()
     What `check` has too means the same. `rig` is a rig file or a Rig. `close_ups`: pictures of the worst findings, at most.
     """
     scene = _opened(scene, progress, threads)
-    judging = _judging(preset, join, faces, layers, colors, zones, joints, sections, iso_curves, accepted)
+    judging = _judging(preset, join, _scope(faces, layers, colors, zones), joints, sections, iso_curves, accepted)
     files = report_files(scene, judging, _words(views), rig, close_ups, progress, threads)
     return Report(files, _os.getcwd())
 
@@ -133,20 +140,33 @@ def place(scene, *, views=(), lamps: int = 12, planes: int = 3, progress=None, t
     return place_lamps(_opened(scene, progress, threads), _words(views), lamps, planes, progress, threads)
 
 
-def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), join: float = 0.5, progress=None,
-          threads: int = 0) -> Lines:
+def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), look: str = "reflection", chord: float = 0.01,
+          join: float = 0.5, faces=(), layers=(), colors=(), zones=(), curves: bool = False, contours: bool = False,
+          progress=None, threads: int = 0) -> Lines:
     """Follows the reflections of lamps on the surfaces and judges them where they cross seams.
 
-    `rig` is a rig file or a Rig; without one the lamps are the scene's own.
+    `rig` is a rig file or a Rig; without one the lamps are the scene's own. `look` is reflection, highlight or
+    isophote, `chord` the distance in mm between a line and the chords of its points. `faces`, `layers`, `colors`
+    and `zones` judge a part of the body. `curves` fills `curves` of the result with the lines as B-splines, for
+    write_curves; `contours` adds the contours of the views, hidden ones too.
     """
     scene = _opened(scene, progress, threads)
-    return Lines(lines_json(scene, rig, list(views), preset, join, progress, threads))
+    options = {"views": _words(views), "preset": str(preset), "look": look, "chord": chord, "join": join,
+               "curves": curves, "contours": contours, **_scope(faces, layers, colors, zones)}
+    return Lines(*find_lines(scene, rig, options, progress, threads))
 
 
-def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, align: bool = False,
-            progress=None, threads: int = 0) -> Comparison:
-    """Compares the geometry, seams and findings of two bodies: model files, scene files, Models or Scenes."""
-    return Comparison(compare_json(before, after, preset, join, align, progress, threads))
+def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, align: bool = False, faces=(),
+            layers=(), colors=(), zones=(), views=None, rig=None, width: int = 0, height: int = 0, progress=None,
+            threads: int = 0) -> Comparison:
+    """Compares the geometry, seams and findings of two bodies: model files, scene files, Models or Scenes.
+
+    With `views`, () for three automatic ones, pictures and lines are compared too, under the lamps of `rig`, a
+    file, or those of the former. `width` and `height` are pixels of these pictures, 0: the size of its scene.
+    """
+    options = {"preset": str(preset), "join": join, "align": align, "rig": rig, "width": width, "height": height,
+               "views": None if views is None else _words(views), **_scope(faces, layers, colors, zones)}
+    return Comparison(comparison_files(before, after, options, progress, threads), _os.getcwd())
 
 
 def read_scan(file, *, millimetres: float = 1):
@@ -212,6 +232,28 @@ def illuminance(scene, points, normals, *, rig=None, progress=None, threads: int
     return numbers.view([(name, float) for name in names]).reshape(len(rows))
 
 
+def luminance(scene, rays, *, rig=None, progress=None, threads: int = 0):
+    """Luminance in cd/m2 that rays (n, 6) meet, by the scene's lamps or those of `rig`: n rows of red, green, blue.
+
+    It is that of a picture whose pixels have no width. Rays that meet nothing have the scene's background.
+    """
+    return luminance_numbers(_opened(scene, progress, threads), rays, rig, progress, threads)
+
+
+def analysis_picture(scene, look: str, view: str = "", *, rig=None, width: int | None = None,
+                     height: int | None = None, scale=None, pull=(0, 0, 1), draft: float = 3,
+                     radius: float | None = None, section=(0, 1, 0), progress=None, threads: int = 0) -> Picture:
+    """The picture of `keiko render --look`: zebra, isophote, highlight, draft, curvature:gauss, radius and others.
+
+    `scale` (low, high) is the range of colours in the unit of the look; by default that of what is seen. `pull` and
+    `draft` (degrees) are of draft, `radius` (mm) of below-radius, `section`, the normal of the planes, of
+    curvature:section, `rig` of highlight. View and size are those of render().
+    """
+    options = {"scale": scale, "pull": tuple(pull), "draft": draft, "radius": radius, "section": tuple(section)}
+    scene = _opened(scene, progress, threads)
+    return Picture(analysis_png(scene, look, view, rig, width, height, options, progress, threads))
+
+
 def deep_view(scene, view: str = "", *, width: int | None = None, height: int | None = None, reflections: int = 3,
               progress=None, threads: int = 0) -> DeepBuffer:
     """The surfaces on the paths of a picture's rays, from which any lamps light it without tracing.
@@ -224,12 +266,15 @@ def deep_view(scene, view: str = "", *, width: int | None = None, height: int | 
 
 
 def render(scene, view: str = "", *, rig=None, width: int | None = None, height: int | None = None, aovs=(),
-           progress=None, threads: int = 0) -> Film:
+           penumbrae: str = "width", light_error: float = 2e-3, edge_samples: int = 8, progress=None,
+           threads: int = 0) -> Film:
     """The picture of a scene: `numpy.asarray` of it is height x width x 3, cd/m2.
 
     `view` is what `keiko render --view` takes: a name, "auto", "scene", or a view file; empty for the
     scene's own, or else the one that shows the body best. `rig` is a rig file or a Rig; without one the lamps
-    are the scene's own, or placed for the view. Without width and height: the scene's own size.
+    are the scene's own, or placed for the view. Without width and height: the scene's own size. `penumbrae`,
+    `light_error` and `edge_samples` are those of `keiko render`.
     """
     scene = _opened(scene, progress, threads)
-    return render_film(scene, view, rig, width, height, list(aovs), progress, threads)
+    accuracy = {"penumbrae": penumbrae, "light_error": light_error, "edge_samples": edge_samples}
+    return render_film(scene, view, rig, width, height, list(aovs), accuracy, progress, threads)

@@ -45,9 +45,10 @@ class Judged(Document):
 class Check(Judged):
     """A body judged by criteria, as `keiko check --json` has it."""
 
-    def __init__(self, text: str, combs: str | None = None, profiles: str | None = None):
+    def __init__(self, text: str, combs: str | None = None, profiles: str | None = None, curves=()):
         super().__init__(text)
         self._combs, self._profiles = combs, profiles
+        self.curves = list(curves)  # a Curve each, empty unless requested
 
     @property
     def findings(self) -> list:
@@ -85,7 +86,7 @@ class Check(Judged):
         return json.loads(self._profiles)["profiles"] if self._profiles else []
 
     def __reduce__(self):
-        return type(self), (self._text, self._combs, self._profiles)
+        return type(self), (self._text, self._combs, self._profiles, self.curves)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__}: {self.verdict}, {len(self.findings)} findings, {len(self.looks)} looks>"
@@ -123,6 +124,13 @@ class Report(Check):
 class Lines(Judged):
     """Lines of the lamps on a body, as `keiko lines` writes them."""
 
+    def __init__(self, text: str, curves=()):
+        super().__init__(text)
+        self.curves = list(curves)  # a Curve each, empty unless requested
+
+    def __reduce__(self):
+        return type(self), (self._text, self.curves)
+
     def _repr_html_(self) -> str:
         counts, found = self._values["counts"], self._values["lines"]
         words = ", ".join(f"{count} {name.replace('_', ' ')}" for name, count in counts.items())
@@ -137,7 +145,23 @@ class Lines(Judged):
 
 
 class Comparison(Judged):
-    """Two revisions of a part, as `keiko compare --json` has them."""
+    """Two revisions of a part, as `keiko compare --json` has them, with page and pictures."""
+
+    def __init__(self, files: dict, base: str):
+        super().__init__(files["compare.json"].decode())
+        self._files, self._base = files, base
+
+    @property
+    def html(self) -> str:
+        """The page for people, pictures included."""
+        return self._files["compare.html"].decode()
+
+    def write(self, folder) -> None:
+        """Writes what `keiko compare -o folder` writes, in place of earlier results there."""
+        write_report(folder, self._files, self._base)
+
+    def __reduce__(self):
+        return type(self), (self._files, self._base)
 
     def _repr_html_(self) -> str:
         values = self._values
