@@ -50,6 +50,11 @@ class PagesTest(unittest.TestCase):
             self.assertIn(f"2 faces, {sides[0]:.6g} x {sides[1]:.6g} x {sides[2]:.6g} mm, 0 lost faces", page.text)
             self.assertEqual([row[:2] for row in page.rows[1:]], [["1", "left"], ["2", "right"]])
 
+    def test_nameless_faces_have_no_rows(self):
+        page = shown(keiko.load(ROOT / "surfaces/dome.bpt"))
+        self.assertIn("4 faces, ", page.text)
+        self.assertEqual(page.rows, [])
+
     def test_names_are_escaped(self):
         body = keiko.load(SEAM.read_bytes(), name="<b>&\"fender\"</b>")
         self.assertIn("&lt;b&gt;&amp;", body._repr_html_())

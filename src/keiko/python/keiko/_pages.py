@@ -43,16 +43,16 @@ def _body(name: str, body) -> str:
     faces, lost = body.faces, body.lost_faces
     rest = f"{counted(len(faces), 'face')}, {_size(body.bounds)}, {counted(len(lost), 'lost face')}"
     return (heading(name, rest) + table(["lost"], ([reason] for reason in lost))
-            + table(["face", "name", "layer"], faces))
+            + table(["face", "name", "layer"], (face for face in faces if any(face[1:]))))
 
 
 def model(body) -> str:
-    """A Model: its source, its size and its faces."""
+    """A Model: its source, its size and its faces with names or layers."""
     return _body(body.source, body)
 
 
 def scene(body) -> str:
-    """A Scene: its files, its size and its faces."""
+    """A Scene: its files, its size and its faces with names or layers."""
     return _body(" + ".join(path.name for path in body.paths) or "a body from bytes", body)
 
 
