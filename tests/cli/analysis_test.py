@@ -88,6 +88,20 @@ class Commands(AnalysisTest):
         self.succeed("render", HOOD, "--view", "slant.toml", "--look", "draft", "--size", "48x27", "-o", "b.png")
         self.assertEqual(self.bytes_of("a.png"), self.bytes_of("b.png"))
 
+    def test_render_colours_sections_along_the_direction_of_the_view(self):
+        value = analysis()
+        value["views"][0].update(look="curvature:section=0.01", across=[1, 2, 0.5])
+        self.save(value)
+        self.succeed("render", HOOD, "--analysis", "a.json", "-o", "a.png")
+        slant = self.view_file(value["views"][0], "slant.toml")
+        look = ("render", HOOD, "--view", slant, "--look", "curvature:section=0.01", "--size", "96x54")
+        self.succeed(*look, "--section", "1,2,0.5", "-o", "b.png")
+        self.succeed(*look, "-o", "c.png")
+        self.assertEqual(self.bytes_of("a.png"), self.bytes_of("b.png"))
+        self.assertNotEqual(self.bytes_of("a.png"), self.bytes_of("c.png"))
+        self.succeed("render", HOOD, "--analysis", "a.json", "--section", "0,1,0", "-o", "a.png")
+        self.assertEqual(self.bytes_of("a.png"), self.bytes_of("c.png"))
+
     def test_render_leaves_out_hidden_faces_as_the_viewer_does(self):
         self.save(analysis(hidden=[{"face": 2, "name": "dome"}]))
         self.succeed("render", HOOD, "--analysis", "a.json", "--view", "high", "-o", "a.png")
@@ -220,6 +234,9 @@ class Errors(AnalysisTest):
                 (changed(lambda a: a["views"][1].update(name="auto")), 'views 2, name: "auto" has another meaning'),
                 (changed(lambda a: a["views"][0].update(look="zebras")), "views 1, look: no look is called 'zebras'"),
                 (changed(lambda a: a["views"][0].update(look="below-radius")), "views 1, look: \"below-radius\" needs a radius"),
+                (changed(lambda a: a["views"][0].update(across=[0, 1, 0])), "views 1, across: is for the look curvature:section"),
+                (changed(lambda a: a["views"][0].update(look="curvature:section", across=[0, 0, 0])), "views 1, across: is no direction"),
+                (changed(lambda a: a["views"][0].update(across=[0, 1])), "views 1, across: is no place [x, y, z]"),
                 (changed(lambda a: a["views"][0]["camera"].update(width=0)), "views 1, camera, width: and height must be"),
                 (changed(lambda a: a["views"][0]["camera"].pop("eye")), "views 1, camera: a key is missing"),
                 (changed(lambda a: a.update(sections=["q=1"])), "sections 1, section: 'q=1' is not x=MM"),

@@ -54,8 +54,9 @@ std::optional<ChosenMode> RenderArguments::look() const {
                  "--look below-radius");
     if (is(AnalysisMode::below_radius) && !radius_)
         throw Error("", "--look below-radius", "needs --radius MM");
-    if (!section_.empty()) chosen->section = direction("--section", section_);
-    if (chosen) chosen->options = look_options(*stated);
+    if (!chosen) return chosen;
+    chosen->section = section_.empty() ? viewed_across_ : direction("--section", section_);
+    chosen->options = look_options(*stated);
     return chosen;
 }
 

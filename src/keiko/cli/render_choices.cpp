@@ -85,6 +85,7 @@ void RenderArguments::take_analysis() {
         throw Error(scene.analysis.string(), "view " + rendered->name,
                     "shows faces by colour, which only keiko view draws: state another --look");
     look_ = rendered->look;
+    viewed_across_ = rendered->across.value_or(viewed_across_);
 }
 
 /// An .exr holds unscaled luminance, and layers; a .png neither.

@@ -16,6 +16,8 @@ struct AnalysisView {
     std::string name;           ///< 1 to 64 letters, digits, hyphens and underscores
     Camera camera;              ///< with the size of the picture
     std::string look = "lamps"; ///< "lamps", "faces", or a mode as name_of has it; "=C" may follow
+    /// Normal of the planes of the look "curvature:section", finite and not 0; none: along y.
+    std::optional<Vec3> across{};
 };
 
 /// A face that is left out of pictures.

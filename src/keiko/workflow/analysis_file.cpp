@@ -9,6 +9,7 @@
 #include "keiko/workflow/analysis_mode.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <span>
 
@@ -27,8 +28,9 @@ void for_each_of(const Json& json, const char* key, const Read& read) {
 }
 
 AnalysisView view_from(const Json& json) {
-    require_known_keys(json, {"name", "look", "camera"});
+    require_known_keys(json, {"name", "look", "across", "camera"});
     AnalysisView view{text_at(json, "name"), {}, text_at(json, "look")};
+    if (json.contains("across")) view.across = place_at(json, "across");
     with_errors_named("", "camera",
                       [&] { view.camera = checked_camera_from(value_at(json, "camera")); });
     return view;
@@ -116,9 +118,14 @@ void require_name(std::span<const AnalysisView> views, std::size_t at) {
                 in_quotes(name) + " is that of view " + std::to_string(i + 1) + ", too");
 }
 
-void require_look(const std::string& look) {
-    if (look == "lamps" || look == "faces") return;
-    require(look_from(look).mode != AnalysisMode::below_radius, "look",
+void require_look(const AnalysisView& view) {
+    const std::string& look = view.look;
+    const bool has_mode = look != "lamps" && look != "faces";
+    const bool has_sections = has_mode && look_from(look).mode == AnalysisMode::section;
+    require(!view.across || has_sections, "across", "is for the look curvature:section");
+    require(!view.across || (view.across->length() > 0 && std::isfinite(view.across->length())),
+            "across", "is no direction");
+    require(!has_mode || look_from(look).mode != AnalysisMode::below_radius, "look",
             in_quotes(look) + " needs a radius, which no analysis holds");
 }
 
@@ -126,7 +133,7 @@ void require_views(std::span<const AnalysisView> views) {
     for (std::size_t i = 0; i < views.size(); ++i)
         with_errors_named("", "views " + std::to_string(i + 1), [&] {
             require_name(views, i);
-            require_look(views[i].look);
+            require_look(views[i]);
         });
 }
 
@@ -201,7 +208,9 @@ void require_valid(const Analysis& analysis) {
 
 std::string analysis_text(const Analysis& analysis, const std::filesystem::path& folder) {
     const auto view_json = [](const AnalysisView& view) {
-        return Json{{"name", view.name}, {"look", view.look}, {"camera", camera_json(view.camera)}};
+        Json entry{{"name", view.name}, {"look", view.look}, {"camera", camera_json(view.camera)}};
+        if (view.across) entry["across"] = point(*view.across);
+        return entry;
     };
     Json json{{"format", format},
               {"views", array_of(analysis.views, view_json)},

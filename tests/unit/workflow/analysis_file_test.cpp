@@ -19,6 +19,7 @@ Analysis whole_analysis() {
                                .target = {0, 0, 0},
                                .orthographic_height = 1.0 / 3},
                               "curvature:k1=0.002"});
+    analysis.views.push_back({"cuts", {}, "curvature:section=0.01", Vec3(1, 2, 1.0 / 3)});
     analysis.sections = {"y=120", "1,1,0=-3"};
     analysis.rig.emplace();
     analysis.rig->name = "two \"rows\"";
@@ -46,10 +47,12 @@ TEST(AnalysisFile, ReadsBackAsTheSame) {
     const std::string text = analysis_text(written);
     const Analysis read = parse_analysis_alone(text, "a.json");
     EXPECT_EQ(analysis_text(read), text);
-    ASSERT_EQ(read.views.size(), 2U);
+    ASSERT_EQ(read.views.size(), 3U);
     EXPECT_EQ(read.views[0].camera, written.views[0].camera);
     EXPECT_EQ(read.views[1].camera, written.views[1].camera);
     EXPECT_EQ(read.views[1].look, "curvature:k1=0.002");
+    EXPECT_FALSE(read.views[1].across);
+    EXPECT_EQ(read.views[2].across, written.views[2].across);
     EXPECT_EQ(read.sections, written.sections);
     ASSERT_TRUE(read.rig);
     EXPECT_EQ(read.rig->name, written.rig->name);
@@ -73,6 +76,15 @@ TEST(AnalysisFile, RefusesWhatNoFileMayHold) {
     Analysis analysis = whole_analysis();
     analysis.views[1].name = "shown";
     EXPECT_EQ(error_of(analysis), "views 2, name: \"shown\" is that of view 1, too");
+    analysis = whole_analysis();
+    analysis.views[2].look = "curvature:mean";
+    EXPECT_EQ(error_of(analysis), "views 3, across: is for the look curvature:section");
+    analysis = whole_analysis();
+    analysis.views[0].across = Vec3(0, 1, 0);
+    EXPECT_EQ(error_of(analysis), "views 1, across: is for the look curvature:section");
+    analysis = whole_analysis();
+    analysis.views[2].across = Vec3(0);
+    EXPECT_EQ(error_of(analysis), "views 3, across: is no direction");
     analysis = whole_analysis();
     analysis.notes[1].text.clear();
     EXPECT_EQ(error_of(analysis), "notes 2: needs a text of 1 to 1000 bytes");

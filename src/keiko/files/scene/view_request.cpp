@@ -32,6 +32,7 @@ AnalysisView view_from(const TomlTable& table) {
     const auto camera = table.required("camera", table.table("camera"));
     AnalysisView view{table.required("name", table.text("name")), camera_from(camera)};
     view.look = table.text("look").value_or(view.look);
+    view.across = table.vector("across");
     return view;
 }
 
