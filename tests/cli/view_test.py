@@ -420,7 +420,12 @@ class Reports(ViewTest):
         self.assertEqual(server.ask("POST", "/still")[2], (self.folder / "file.png").read_bytes())
         self.assertEqual(server.ask("GET", "/inspect")[2], (self.folder / "out/faults.json").read_bytes())
         self.assertEqual(server.ask("GET", "/seams")[2], (self.folder / "out/report.json").read_bytes())
-        self.assertIn("profiles", self.error_of(server.ask("POST", "/profile", "1"), 400))
+        self.keiko("check", "gap.step", "--profiles", "profiles.json")
+        profiles = json.loads((self.folder / "profiles.json").read_text())["profiles"]
+        for seam, profile in zip(report["seams"], profiles, strict=True):
+            answer = server.ask("POST", "/profile", str(seam["number"]))
+            self.assertEqual(json.loads(answer[2])["profiles"], [profile])
+        self.assertIn("no stretch", self.error_of(server.ask("POST", "/profile", "99"), 400))
 
     def test_another_of_its_views_in_another_size(self):
         scene = self.scene_of(self.serve("out", "--view", "top", "--size", "48x27"))

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "keiko/files/scene/view_request.h"
+#include "keiko/report/content/report_stretch.h"
 #include "keiko/report/content/triaged_faults.h"
 #include "keiko/report/content/view_facts.h"
 #include "keiko/workflow/check_scene.h"

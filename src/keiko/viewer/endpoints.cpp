@@ -1,12 +1,12 @@
 #include "keiko/viewer/endpoints.h"
 
-#include "keiko/api/lines.h"
 #include "keiko/api/model.h"
 #include "keiko/api/render.h"
 #include "keiko/api/scene.h"
 #include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/viewer/client_watch.h"
+#include "keiko/viewer/page_request.h"
 
 #include <algorithm>
 #include <chrono>
@@ -16,34 +16,7 @@
 namespace keiko::viewer {
 namespace {
 
-/// Most pixels of an answer: 256 MB of a deep buffer, and a still of 4096 x 2048.
-constexpr std::int64_t most_pixels = 1 << 23;
-
 constexpr std::string_view no_such = "there is nothing of that name";
-
-/// Name of the page that asks, so that its newer requests end its older ones alone.
-std::string client_of(const HttpRequest& request) {
-    constexpr std::size_t longest = 64;
-    const std::string name = request.header("x-keiko-client");
-    const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-               c == '-';
-    });
-    if (name.size() > longest || !plain)
-        throw Error("", "X-Keiko-Client", "must be up to 64 letters, digits and hyphens");
-    return name;
-}
-
-/// The request of a body, whose picture is not too large.
-ViewRequest request_of(const HttpRequest& request) {
-    ViewRequest wanted = parse_view_request(request.body);
-    if (!wanted.camera) return wanted;
-    const auto pixels = static_cast<std::int64_t>(wanted.camera->width) * wanted.camera->height;
-    if (pixels > most_pixels)
-        throw Error("request", "camera",
-                    "has a size of more than " + std::to_string(most_pixels) + " pixels");
-    return wanted;
-}
 
 HttpReply text_reply(std::string text) {
     return {.body = std::move(text)};
@@ -99,6 +72,7 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "POST /deep") return deep(request, client);
     if (asked == "POST /still") return still(request, client);
     if (asked == "POST /pick") return pick(request);
+    if (asked == "POST /lines") return lines(request, client);
     if (scene_.against() && request.path.starts_with("/against/")) return against(request, client);
     if (asked == "GET /events") return events(client);
     LatestWork::Turn turn(work_, client,
@@ -114,7 +88,6 @@ HttpReply Endpoints::routed(const HttpRequest& request, const std::string& clien
     if (asked == "POST /analysis") return analysis_file(request, job);
     if (asked == "POST /profile") return text_reply(scene_.profile(request.body, job));
     if (asked == "POST /section") return text_reply(scene_.section(request.body, job));
-    if (asked == "POST /lines") return lines(request, job);
     if (asked == "POST /place") return place(request, job);
     return error_reply(404, no_such);
 }
@@ -154,13 +127,6 @@ HttpReply Endpoints::pick(const HttpRequest& request) const {
                                            scene_.view_of(wanted).camera, *wanted.pixel)));
 }
 
-HttpReply Endpoints::lines(const HttpRequest& request, const Job& job) const {
-    const ViewRequest wanted = request_of(request);
-    const LineList found =
-        lines_in_view(scene_.scene(), scene_.rig_of(wanted), scene_.view_of(wanted), {}, job);
-    return text_reply(lines_json(found, scene_.scene().model));
-}
-
 HttpReply Endpoints::place(const HttpRequest& request, const Job& job) const {
     const Scene& scene = scene_.scene();
     PlaceOptions options;
@@ -197,6 +163,22 @@ HttpReply Endpoints::streamed(const std::string& type, const std::string& client
     return reply;
 }
 
+HttpReply Endpoints::made(const std::string& type, const std::string& client,
+                          const std::string& kind,
+                          std::function<std::string(const Job&)> make) const {
+    return streamed(type, client, kind,
+                    [this, make = std::move(make)](Outlet& outlet, LatestWork::Turn& turn) {
+                        std::string bytes;
+                        {
+                            const ClientWatch watch(outlet, turn);
+                            const Job job = turn.job(threads_);
+                            const StopScope scope(job);
+                            bytes = make(job);
+                        }
+                        return outlet.write(bytes);
+                    });
+}
+
 bool Endpoints::send_deep(const ViewRequest& request, const Scene* earlier, Outlet& outlet,
                           LatestWork::Turn& turn) const {
     std::vector<RowSet> passes{RowSet{}};
@@ -229,7 +211,6 @@ HttpReply Endpoints::deep(const HttpRequest& request, const std::string& client,
 
 std::string Endpoints::still_png(const ViewRequest& request, const LightRig& rig,
                                  const Scene* earlier, const Job& job) const {
-    const StopScope scope(job);
     const Film film = earlier ? render_view(*earlier, rig, scene_.view_of(request).camera, {}, job)
                               : scene_.still(request, rig, job);
     return encode_png(tone_mapped(film, {.ev = request.ev}));
@@ -239,16 +220,19 @@ HttpReply Endpoints::still(const HttpRequest& request, const std::string& client
                            const Scene* earlier) const {
     const ViewRequest wanted = request_of(request);
     require_faces(scene_.scene().model, wanted.hidden);
-    return streamed("image/png", client, earlier ? "still before" : "still",
-                    [this, wanted, earlier, rig = scene_.rig_of(wanted)](Outlet& outlet,
-                                                                         LatestWork::Turn& turn) {
-                        std::string png;
-                        {
-                            const ClientWatch watch(outlet, turn);
-                            png = still_png(wanted, rig, earlier, turn.job(threads_));
-                        }
-                        return outlet.write(png);
-                    });
+    return made("image/png", client, earlier ? "still before" : "still",
+                [this, wanted, earlier, rig = scene_.rig_of(wanted)](const Job& job) {
+                    return still_png(wanted, rig, earlier, job);
+                });
+}
+
+HttpReply Endpoints::lines(const HttpRequest& request, const std::string& client) const {
+    const ViewRequest wanted = request_of(request);
+    if (!has_lines(scene_.rig_of(wanted)))
+        throw Error("request", "lamps", "there is no row of lamps, so that there are no lines");
+    return made("application/json", client, "lines", [this, wanted](const Job& job) {
+        return lines_json(scene_.lines(wanted, job), scene_.scene().model);
+    });
 }
 
 HttpReply Endpoints::events(const std::string& client) const {

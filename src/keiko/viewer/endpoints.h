@@ -42,11 +42,14 @@ private:
     HttpReply events(const std::string& client) const;
     HttpReply new_analysis(const HttpRequest& request, const Job& job) const;
     HttpReply analysis_file(const HttpRequest& request, const Job& job) const;
-    HttpReply lines(const HttpRequest& request, const Job& job) const;
+    HttpReply lines(const HttpRequest& request, const std::string& client) const;
     HttpReply place(const HttpRequest& request, const Job& job) const;
 
     HttpReply streamed(const std::string& type, const std::string& client, const std::string& kind,
                        Streamed work) const;
+    /// Bytes that are made as a whole, and sent unless the client has gone meanwhile.
+    HttpReply made(const std::string& type, const std::string& client, const std::string& kind,
+                   std::function<std::string(const Job&)> make) const;
     bool send_deep(const ViewRequest& request, const Scene* earlier, Outlet& outlet,
                    LatestWork::Turn& turn) const;
 

@@ -1,6 +1,5 @@
 #include "keiko/viewer/viewed_scene.h"
 
-#include "keiko/api/lines.h"
 #include "keiko/api/model.h"
 #include "keiko/base/job_steps.h"
 
@@ -109,24 +108,43 @@ std::string ViewedScene::inspection(const Job& job) {
 
 namespace {
 
-/// Index of a stretch by its number, from 1 to `count`, in words of decimal digits.
-std::uint32_t seam_of(const std::string& number, std::size_t count) {
-    std::uint32_t seam = 0;
-    const char* end = number.data() + number.size();
-    const auto [rest, fault] = std::from_chars(number.data(), end, seam);
-    if (fault != std::errc() || rest != end || seam < 1 || seam > count)
+/// The number that decimal digits state; 0 for other words.
+std::uint32_t number_of(const std::string& digits) {
+    std::uint32_t number = 0;
+    const char* end = digits.data() + digits.size();
+    const auto [rest, fault] = std::from_chars(digits.data(), end, number);
+    return fault == std::errc() && rest == end ? number : 0;
+}
+
+/// Index of a stretch by its number.
+std::uint32_t seam_of(std::uint32_t number, std::size_t count) {
+    if (number < 1 || number > count)
         throw Error("request", "seam",
                     "must be the number of a stretch, 1 to " + std::to_string(count));
-    return seam - 1;
+    return number - 1;
 }
 
 } // namespace
 
-std::string ViewedScene::profile(const std::string& number, const Job& job) {
-    if (is_report_)
-        throw Error("request", "seam", "a report keeps no profiles but those of its faults");
+std::uint32_t ViewedScene::seam_of_report(std::uint32_t number,
+                                          const Inspection& inspection) const {
+    const auto seam = stretch_of_report(*inspection_.value, "report.json", number, inspection);
+    if (!seam)
+        throw Error("request", "seam " + std::to_string(number),
+                    "is no stretch of the body as it is read now: state the options that the "
+                    "inspection had, such as --preset and --join");
+    return *seam;
+}
+
+std::string ViewedScene::profile(const std::string& digits, const Job& job) {
+    if (is_report_ && !remarks_.empty())
+        throw Error("request", "seam",
+                    "the files have changed since the inspection: there are no profiles but those "
+                    "of the faults in the report");
+    const std::uint32_t number = number_of(digits);
     const Inspection& inspection = judged(job);
-    const std::uint32_t seam = seam_of(number, inspection.seams.size());
+    const std::uint32_t seam =
+        is_report_ ? seam_of_report(number, inspection) : seam_of(number, inspection.seams.size());
     return profiles_json(profiles_of(scene_.model, inspection, {&seam, 1}, job), inspection,
                          version());
 }
@@ -152,13 +170,16 @@ std::string ViewedScene::faults(const Job& job) {
     });
 }
 
+LineList ViewedScene::lines(const ViewRequest& request, const Job& job) const {
+    LinesOptions options;
+    options.preset = check_.preset, options.join = check_.join;
+    return lines_in_view(scene_, rig_of(request), view_of(request), options, job);
+}
+
 std::string ViewedScene::faults_with_lines(const ViewRequest& request, const Job& job) {
     JobSteps steps(job, judging + following + ordering);
     const Inspection& geometry = judged(steps.next_of_steps(judging));
-    LinesOptions options;
-    options.preset = check_.preset, options.join = check_.join;
-    const LineList lines = lines_in_view(scene_, rig_of(request), view_of(request), options,
-                                         steps.next_of_steps(following));
+    const LineList lines = this->lines(request, steps.next_of_steps(following));
     const Inspection whole = with_lines(geometry, lines);
     return faults_json(scene_faults(scene_, whole, steps.next_of_steps(ordering)), whole,
                        version());

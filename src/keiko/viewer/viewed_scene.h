@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/api/check.h"
+#include "keiko/api/lines.h"
 #include "keiko/api/place.h"
 #include "keiko/api/render.h"
 #include "keiko/api/view.h"
@@ -59,12 +60,15 @@ public:
     /// The judged geometry, "keiko-inspection/1", made as the facts. Throws Error, and Cancelled.
     /// That of a report is its own text, "keiko-report/1".
     std::string inspection(const Job& job);
-    /// The quantities along a stretch of a seam by its number, from 1, "keiko-profiles/1". Throws
-    /// Error for another text, and for the stretches of a report, which keeps no geometry; and
-    /// Cancelled.
-    std::string profile(const std::string& number, const Job& job);
+    /// The quantities along a stretch of a seam by its number, from 1, "keiko-profiles/1". Those of
+    /// a report are measured anew on the opened body. Throws Error for another text, and for a
+    /// stretch of a report that is not on the body or whose files have changed; and Cancelled.
+    std::string profile(const std::string& digits, const Job& job);
     /// Its faults in the order of mending, "keiko-faults/1", made as the inspection.
     std::string faults(const Job& job);
+    /// The reflection lines of a request's lamps in its view, judged as the geometry is. Throws
+    /// Error for lamps without lines, and Cancelled.
+    LineList lines(const ViewRequest& request, const Job& job) const;
     /// The faults of the judged geometry and of the reflection lines of a request's lamps in its
     /// view, "keiko-faults/1". Throws Cancelled.
     std::string faults_with_lines(const ViewRequest& request, const Job& job);
@@ -91,6 +95,7 @@ private:
 
     std::optional<Occluders> occluders(const std::vector<std::uint32_t>& hidden, const Job& job);
     const Inspection& judged(const Job& job);
+    std::uint32_t seam_of_report(std::uint32_t number, const Inspection& inspection) const;
 
     Scene scene_;
     NamedView view_;

@@ -166,6 +166,23 @@ TEST_F(EndpointsTest, CutsTheBodyByAPlane) {
         EXPECT_EQ(ask("POST", "/section", wrong).status, 400) << wrong;
 }
 
+TEST_F(EndpointsTest, FollowsTheLinesOfTheLampsThatAreAskedFor) {
+    const auto lines = [&](const std::string& body) {
+        Reader reader;
+        EXPECT_TRUE(ask("POST", "/lines", body).stream(reader));
+        return reader.text;
+    };
+    const std::string own = lines("");
+    EXPECT_NE(own.find("keiko-lines/2"), std::string::npos);
+    EXPECT_NE(own.find("\"preset\":{"), std::string::npos);
+    EXPECT_NE(lines("[[c_plane]]\norigin = [-3000, -2000, 2500]\nu = [6000, 0, 0]\n"
+                    "v = [0, 4000, 0]\nlamps = 3"),
+              own);
+    const HttpReply none = ask("POST", "/lines", "c_plane = []");
+    EXPECT_EQ(none.status, 400);
+    EXPECT_TRUE(has(none, "no row of lamps"));
+}
+
 TEST_F(EndpointsTest, AfterTheEndOfTheServerLongAnswersAreRefused) {
     work_.end_all();
     EXPECT_EQ(ask("GET", "/seams").status, 409);

@@ -72,6 +72,38 @@ TEST(ViewedScene, JudgesTheBodyThatItHasWithoutItsFile) {
     EXPECT_EQ(viewed->inspection({}), expected);
 }
 
+TEST(ViewedScene, LinesAreJudgedByTheLimitsOfItsSeams) {
+    CheckOptions check;
+    check.preset.lines.jump = 0.123;
+    const auto hood = test::viewed_hood(check);
+    EXPECT_EQ(hood->lines({}, {}).preset.lines.jump, 0.123);
+}
+
+TEST(ViewedScene, ProfilesOfAReportAreThoseOfItsStretches) {
+    const auto hood = test::viewed_hood();
+    ReportFolder report;
+    report.report = hood->inspection({});
+    const auto viewed = [&](const ReportFolder& folder, CheckOptions check = {}) {
+        return std::make_unique<ViewedScene>(test::hood_scene(),
+                                             NamedView{"small", test::small_camera(), 0},
+                                             test::one_row(), std::move(check), folder);
+    };
+    EXPECT_EQ(viewed(report)->profile("2", {}), hood->profile("2", {}));
+    EXPECT_THROW(viewed(report)->profile("99", {}), Error);
+    EXPECT_THROW(viewed(report)->profile("two", {}), Error);
+    // Numbers are those of the report, even where the body has other stretches before it.
+    ReportFolder renumbered = report;
+    const std::string first = "\"number\": 1,";
+    const std::size_t at = renumbered.report.find(first);
+    ASSERT_NE(at, std::string::npos);
+    renumbered.report.replace(at, first.size(), "\"number\": 77,");
+    EXPECT_EQ(viewed(renumbered)->profile("77", {}), hood->profile("1", {}));
+    EXPECT_THROW(viewed(renumbered)->profile("1", {}), Error);
+    ReportFolder changed = report;
+    changed.changes.push_back({Severity::warning, "hood.step", "has changed"});
+    EXPECT_THROW(viewed(changed)->profile("2", {}), Error);
+}
+
 TEST(ViewedScene, MakesATextOnceForAllWhoAskAtOnce) {
     const auto hood = test::viewed_hood();
     std::atomic<int> reports = 0;
