@@ -7,6 +7,7 @@ import re
 import sys
 import tempfile
 import time
+import tomllib
 import unittest
 from pathlib import Path
 
@@ -14,7 +15,7 @@ HERE = Path(__file__).resolve().parent
 sys.path += [str(HERE.parent), str(HERE.parent / "cli")]
 import browser
 import png_file
-from keiko_process import KeikoTest, surface
+from keiko_process import ASLANT, KeikoTest, surface
 from view_test import Server
 
 if browser.webdriver:
@@ -123,6 +124,11 @@ def differences(a: list, b: list) -> tuple:
     return sum(map(sum, off)) / (3 * len(off)), sum(max(pixel) > 3 for pixel in off) / len(off)
 
 
+def numbers_of(driver) -> str:
+    """The normal of the section in its line."""
+    return driver.find_element(By.CSS_SELECTOR, "#section input[aria-label='normal of the section']").get_attribute("value")
+
+
 class Pictures(Page):
     def test_the_canvas_shows_what_render_does(self):
         self.succeed("render", "scene.toml", "-o", "render.png", "--edge-samples", "1")
@@ -183,7 +189,7 @@ class Pictures(Page):
 
     def test_each_look_fills_the_surface(self):
         lamps = self.pixels(self.canvas())
-        for name, key in (("zebra", "z"), ("isophotes", "i"), ("highlight lines", "h"), ("curvature", "c"), ("draft", "d"),
+        for name, key in (("zebra", "z"), ("isophotes", "i"), ("highlight lines", "h"), ("curvature", "c"), ("radius", "m"), ("draft", "d"),
                           ("faces", "f"), ("lamps", "l")):
             self.press(name)
             pressed = self.pixels(self.canvas())
@@ -209,6 +215,34 @@ class Pictures(Page):
             _, beyond = differences([shown[i] for i in body], [made[i] for i in body])
             self.assertLess(beyond, 0.02, (name, shown[body[0]], made[body[0]]))
 
+    def render_command(self) -> str:
+        """The command line that the page states for its picture."""
+        self.press("picture")
+        self.wait_for(lambda: self.browser.find_elements(By.TAG_NAME, "dialog"))
+        command = self.browser.find_element(By.TAG_NAME, "dialog").text
+        self.press("close")
+        return command
+
+    def beyond_render(self, shown: list, *options: str) -> float:
+        """The share of the body's pixels that differ from those of the program."""
+        self.succeed("render", "scene.toml", "-o", "render.png", *options)
+        width, _, _, _ = png_file.read_png(self.folder / "render.png")
+        wide = self.file_pixels("render.png")
+        body = [i for i in range(480 * 70, 480 * 200) if 90 < i % 480 < 300 and shown[i] != shown[0]]
+        self.assertGreater(len(body), 5000)
+        return differences([shown[i] for i in body], [wide[i // 480 * width + i % 480] for i in body])[1]
+
+    def test_radii_are_those_of_render(self):
+        self.press("radius")
+        shown, command = self.rested(), self.render_command()
+        scale = re.search(r"--look radius --scale ([0-9.]+):([0-9.]+) ", command)
+        self.assertEqual(self.text("legend").split("\n"), [f"{scale[1]} mm", f"{scale[2]} mm"])
+        self.assertLess(self.beyond_render(shown, "--look", "radius", "--scale", f"{scale[1]}:{scale[2]}"), 0.02)
+        # The scale is that which the program takes by itself, but for what edges of pixels add.
+        self.assertLess(self.beyond_render(shown, "--look", "radius"), 0.02)
+        self.press("lamps")
+        self.assertEqual(self.text("legend"), "")
+
     def test_curvatures_of_each_kind_are_those_of_render(self):
         self.press("curvature")
         for kind in "mean", "gauss", "k1", "k2", "absolute", "section":
@@ -220,20 +254,12 @@ class Pictures(Page):
                 direction.send_keys(Keys.CONTROL, "a")
                 direction.send_keys("1,2,0.5" + Keys.ENTER)
             shown = self.rested()
-            self.press("picture")
-            self.wait_for(lambda: self.browser.find_elements(By.TAG_NAME, "dialog"))
-            command = self.browser.find_element(By.TAG_NAME, "dialog").text
-            self.press("close")
+            command = self.render_command()
             look = re.search(r"--look (\S+)", command)[1]
             self.assertTrue(look.startswith(f"curvature:{kind}="), look)
             section = re.findall(r"--section (\S+)", command)
             self.assertEqual(section, ["1,2,0.5"] if kind == "section" else [])
-            self.succeed("render", "scene.toml", "-o", "render.png", "--look", look, *(["--section", *section] if section else []))
-            width, _, _, _ = png_file.read_png(self.folder / "render.png")
-            wide = self.file_pixels("render.png")
-            body = [i for i in range(480 * 70, 480 * 200) if 90 < i % 480 < 300 and shown[i] != shown[0]]
-            self.assertGreater(len(body), 5000)
-            _, beyond = differences([shown[i] for i in body], [wide[i // 480 * width + i % 480] for i in body])
+            beyond = self.beyond_render(shown, "--look", look, *(["--section", *section] if section else []))
             self.assertLess(beyond, 0.02, kind)
         self.wait_for(lambda: "across=1%2C2%2C0.5" in self.browser.current_url)
         self.browser.refresh()
@@ -462,6 +488,29 @@ class Analyses(Page):
         self.wait_for_still()
         self.assertGreater(differences(shown, self.rested())[1], 0.2)
 
+    def test_directions_of_sections_are_kept(self):
+        self.press("curvature")
+        self.browser.find_element(By.XPATH, "//select[@aria-label='of']/option[text()='section']").click()
+        direction = self.browser.find_element(By.CSS_SELECTOR, "#curvature-kind input")
+        direction.send_keys(Keys.CONTROL, "a")
+        direction.send_keys("1,2,0.5" + Keys.ENTER)
+        self.browser.find_element(By.CSS_SELECTOR, "#section select").send_keys("f")
+        numbers = self.browser.find_element(By.CSS_SELECTOR, "#section input[aria-label='normal of the section']")
+        numbers.send_keys(Keys.CONTROL, "a")
+        numbers.send_keys("3,4,1" + Keys.ENTER)
+        self.wait_for(lambda: "3,4,1=" in self.text("section"))
+        shown = self.rested()
+        file = self.save_analysis()
+        saved = json.loads(file.read_text())
+        self.assertEqual(saved["views"][0]["across"], [1, 2, 0.5])
+        self.assertEqual([plane.split("=")[0] for plane in saved["sections"]], ["3,4,1"])
+        self.browser.execute_script("sessionStorage.clear()")
+        self.open(surface("hood.step"), "--analysis", str(file))
+        self.wait_for(lambda: "3,4,1=" in self.text("section"))
+        self.assertEqual(self.browser.find_element(By.CSS_SELECTOR, "#curvature-kind input").get_attribute("value"), "1,2,0.5")
+        self.assertEqual(differences(shown, self.rested())[1], 0)
+        self.assertEqual(self.errors(), [])
+
     def test_the_page_opens_a_file(self):
         shown = self.make_one()
         text = self.save_analysis().read_text()
@@ -620,6 +669,69 @@ class Panel(Page):
         self.wait_for(lambda: self.browser.execute_script("return document.getElementById('seam-lines').width") == 0)
         self.assertNotIn("seams", self.browser.current_url)
 
+    def lamp_lines(self) -> list:
+        """Places of the pixels of the lines over the picture that are drawn."""
+        return self.browser.execute_script(
+            "const c = document.getElementById('lamp-lines'), found = [];"
+            "if (c.width === 0) return found;"
+            "const { data } = c.getContext('2d').getImageData(0, 0, c.width, c.height);"
+            "for (let i = 0; i < data.length / 4; ++i) if (data[4 * i + 3] > 0) found.push([i % c.width, Math.floor(i / c.width)]);"
+            "return found")
+
+    def row(self) -> str:
+        """The row of lamps that is shown, as a request has it."""
+        rig = tomllib.loads(self.server.ask("GET", "/rig")[2].decode())["c_plane"][0]
+        return "[[c_plane]]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in rig.items())
+
+    def test_reflection_lines_lie_on_the_stripes_and_go_with_the_lamps(self):
+        self.browser.find_element(By.ID, "picture").send_keys("r")
+        self.wait_for(self.lamp_lines)
+        camera = 'projection = "perspective"\neye = [-1700, -1300, 2000]\ntarget = [560, 0, 720]\nvertical_fov = 21.5\nsize = [480, 270]\n'
+        found = json.loads(self.server.ask("POST", "/lines", f"[camera]\n{camera}{self.row()}")[2])
+        self.assertIn(f"{len(found['lines'])} lines", self.text("lines"))
+        drawn = set(map(tuple, self.lamp_lines()))
+        places = [point for line in found["lines"] for piece in line["pieces"] for point in piece["points"]]
+        self.assertGreater(len(places), 500)
+        for place in places:
+            x, y = map(round, self.projected(place))
+            self.assertTrue(any((i, j) in drawn for i in range(x - 1, x + 2) for j in range(y - 1, y + 2)), place)
+        # The axis of a lamp is in the middle of its stripe.
+        stripes = self.rested()
+        bright = [stripes[480 * round(y - 0.5) + round(x - 0.5)][1] > 100 for x, y in map(self.projected, places)]
+        self.assertGreater(sum(bright), 0.9 * len(bright))
+        self.drag(60, 20, Keys.CONTROL)
+        self.wait_for(lambda: self.lamp_lines() and set(map(tuple, self.lamp_lines())) != drawn)
+        self.wait_for(lambda: "lines=shown" in self.browser.current_url)
+        moved = self.lamp_lines()
+        self.browser.refresh()
+        self.wait_for(self.lamp_lines)
+        self.assertEqual(self.lamp_lines(), moved)
+        self.press("over the picture")
+        self.wait_for(lambda: not self.lamp_lines())
+        self.assertNotIn("lines", self.browser.current_url)
+        self.assertEqual(self.errors(), [])
+
+    def test_a_broken_reflection_line_is_marked_and_listed(self):
+        self.write("aslant.toml", ASLANT)
+        self.open(surface("seam-g1-angle.step"), "--rig", "aslant.toml", "--view", "high-front", "--size", "480x270")
+        self.press("over the picture")
+        self.wait_for(lambda: self.browser.find_elements(By.CSS_SELECTOR, "#lines li button"))
+        worst = self.browser.find_elements(By.CSS_SELECTOR, "#lines li")[0]
+        self.assertEqual(worst.get_attribute("class"), "fail")
+        worst.find_element(By.TAG_NAME, "button").click()
+        lines = self.text("crossing").split("\n")
+        self.assertIn("face", lines[0])
+        self.assertTrue(any(re.fullmatch(r".* -?[0-9.]+°, limit [0-9.]+°", line) for line in lines), lines)
+        marked = self.browser.execute_script(
+            "const c = document.getElementById('marks'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+            "return d.some((x, i) => i % 4 === 3 && x > 0)")
+        self.assertTrue(marked)
+        red = self.browser.execute_script(
+            "const c = document.getElementById('lamp-lines'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data;"
+            "let n = 0; for (let i = 0; i < d.length; i += 4) n += d[i] > 200 && d[i + 1] < 100 && d[i + 3] > 200; return n")
+        self.assertGreater(red, 20)
+        self.assertEqual(self.errors(), [])
+
     def test_a_fault_that_is_flown_to_lies_in_the_middle_and_has_a_profile(self):
         self.open(surface("seam-g1-angle.step"))
         self.press("inspect")
@@ -670,12 +782,67 @@ class Panel(Page):
         axis.send_keys("y")
         self.wait_for(lambda: "y=" in self.text("section") and drawn() > 500)
         self.assertRegex(self.text("section"), r"y=-?0\.00: [0-9.]+ mm, radii from [0-9.]+ mm")
-        slider = self.browser.find_element(By.CSS_SELECTOR, "#section input")
+        slider = self.browser.find_element(By.CSS_SELECTOR, "#section input[type=range]")
         slider.send_keys(Keys.ARROW_RIGHT * 3)
         self.wait_for(lambda: "y=0.00" not in self.text("section"))
         self.browser.find_element(By.ID, "picture").click()
         axis.send_keys("n")
         self.wait_for(lambda: drawn() == 0)
+        self.assertEqual(self.errors(), [])
+
+    def section_pixels(self) -> set:
+        """Places of the pixels of the section that are drawn in yellow, as its curves and its outline are."""
+        return set(map(tuple, self.browser.execute_script(
+            "const c = document.getElementById('section-lines'), found = [];"
+            "if (c.width === 0) return found;"
+            "const { data } = c.getContext('2d').getImageData(0, 0, c.width, c.height);"
+            "for (let i = 0; i < data.length / 4; ++i) if (data[4 * i + 3] > 40) found.push([i % c.width, Math.floor(i / c.width)]);"
+            "return found")))
+
+    def test_a_section_is_turned_by_hand_and_by_numbers(self):
+        def plane() -> str:
+            found = re.search(r"(\S+=-?[0-9.]+): [0-9.]+ mm, radii", self.text("section"))
+            return found[1] if found else ""
+
+        def require_drawn():
+            drawn = self.section_pixels()
+            curves = json.loads(self.server.ask("POST", "/section", plane())[2])["curves"]
+            places = [sample["place"] for curve in curves for piece in curve["pieces"] for sample in piece["samples"]]
+            self.assertGreater(len(places), 30)
+            for place in places:
+                x, y = map(round, self.projected(place))
+                self.assertTrue(any((i, j) in drawn for i in range(x - 1, x + 2) for j in range(y - 1, y + 2)), place)
+
+        address = self.browser.current_url
+        canvas = self.browser.find_element(By.ID, "picture")
+        ActionChains(self.browser).move_to_element(canvas).key_down(Keys.CONTROL).key_down(Keys.SHIFT).click_and_hold() \
+            .move_by_offset(-50, 20).move_by_offset(-50, 10).release().key_up(Keys.SHIFT).key_up(Keys.CONTROL).perform()
+        self.wait_for(plane)
+        turned = plane()
+        self.assertRegex(turned, r"^-?[0-9.]+,-?[0-9.]+,-?[0-9.]+=")
+        require_drawn()
+        # The middle of the body stays on the plane, and neither eye nor lamps move.
+        normal, height = turned.split("=")
+        normal = [float(x) for x in normal.split(",")]
+        bounds = json.loads(self.server.ask("GET", "/scene")[2])["bounds"]
+        middle = [(a + b) / 2 for a, b in zip(bounds["lower"], bounds["upper"])]
+        self.assertAlmostEqual(sum(n * m for n, m in zip(normal, middle)) / math.hypot(*normal), float(height), delta=0.02)
+        self.assertIn("=".join(("section", turned.replace(",", "%2C").replace("=", "%3D"))), self.browser.current_url)
+        self.assertEqual(self.browser.current_url.split("&section")[0], address.split("&section")[0])
+        canvas.send_keys(Keys.CONTROL + Keys.SHIFT + Keys.ARROW_UP)
+        self.wait_for(lambda: plane() not in ("", turned))
+        numbers = self.browser.find_element(By.CSS_SELECTOR, "#section input[aria-label='normal of the section']")
+        numbers.send_keys(Keys.CONTROL, "a")
+        numbers.send_keys("1, 2, 0.5" + Keys.ENTER)
+        self.wait_for(lambda: plane().startswith("1,2,0.5="))
+        position = self.browser.find_element(By.CSS_SELECTOR, "#section input[type=number]")
+        position.send_keys(Keys.CONTROL, "a")
+        position.send_keys("260" + Keys.ENTER)
+        self.wait_for(lambda: plane() == "1,2,0.5=260.00")
+        require_drawn()
+        self.browser.refresh()
+        self.wait_for(lambda: plane() == "1,2,0.5=260.00")
+        self.assertEqual(numbers_of(self.browser), "1,2,0.5")
         self.assertEqual(self.errors(), [])
 
     def test_a_face_is_found_by_its_name(self):

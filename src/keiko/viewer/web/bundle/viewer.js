@@ -28,6 +28,15 @@ function pickedText(ending) {
     input.click();
   });
 }
+function longList(into, items, entry2, atOnce4, words2) {
+  into.append(...items.slice(0, atOnce4).map(entry2));
+  if (items.length <= atOnce4) return into;
+  const more = button(words2(items.length - atOnce4), () => {
+    into.append(...items.slice(atOnce4).map(entry2));
+    more.remove();
+  });
+  return element("div", [into, more]);
+}
 function choice(into, names, pressed, choose) {
   into.replaceChildren(...names.map((name) => {
     const made = button(name, () => {
@@ -492,8 +501,8 @@ function past({ centre, dx, dy, descent }, slope, from, least) {
   const off = dot2(slope, [centre[0] - from[0], centre[1] - from[1]]) - least;
   return { amid: off, byX: dot2(slope, dx) + off * descent[0], byY: dot2(slope, dy) + off * descent[1] };
 }
-function between(image, part, low, high2) {
-  return where(where(part, past(image, [0, 1], [0, low], 0)), past(image, [0, -1], [0, high2], 0));
+function between(image, part, low, high3) {
+  return where(where(part, past(image, [0, 1], [0, low], 0)), past(image, [0, -1], [0, high3], 0));
 }
 function acrossCorners({ centre, dx, dy, descent }, part) {
   const rounding = 1e-12 * (1 + Math.abs(descent[0]) + Math.abs(descent[1])), values = [];
@@ -544,15 +553,15 @@ var TubeEndClipper = class {
   /** Begin and end of the arc on which a part lies, of the unit circle that a rim is across a strip. */
   arcOn(part, axis) {
     const steep = 0.99;
-    let low = 1, high2 = -1;
+    let low = 1, high3 = -1;
     for (const v of acrossCorners(this.image, part)) {
       const q = (v - axis) / this.half;
       low = Number.isFinite(q) ? Math.min(low, q) : -1;
-      high2 = Number.isFinite(q) ? Math.max(high2, q) : 1;
+      high3 = Number.isFinite(q) ? Math.max(high3, q) : 1;
     }
     low = low < -steep ? -1 : Math.min(low, steep);
-    high2 = high2 > steep ? 1 : Math.max(high2, low, -steep);
-    return [[Math.sqrt(1 - low * low), low], [Math.sqrt(1 - high2 * high2), high2]];
+    high3 = high3 > steep ? 1 : Math.max(high3, low, -steep);
+    return [[Math.sqrt(1 - low * low), low], [Math.sqrt(1 - high3 * high3), high3]];
   }
   /** Halvings of an arc until its chords are near enough, and half the length of these. */
   halvingsOf(halfChord, bulge) {
@@ -574,7 +583,7 @@ function cutAlong(part, from, to, halvings, clip) {
 }
 
 // source/end_coverage.ts
-var clamp = (x, low, high2) => Math.min(Math.max(x, low), high2);
+var clamp = (x, low, high3) => Math.min(Math.max(x, low), high3);
 function endCoverage(row2, rays, at) {
   if (row2.lamps === 0) return 0;
   const image = footprintOf(row2, rays, at);
@@ -617,9 +626,9 @@ var RowInPixel = class {
   coverage(isResolved) {
     const isApart = 2 * this.half < this.row.pitch;
     if (isApart && !isResolved) return this.greyBand();
-    const [low, high2] = this.lamps();
+    const [low, high3] = this.lamps();
     let sum2 = 0;
-    for (let lamp = low; lamp <= high2; ++lamp) {
+    for (let lamp = low; lamp <= high3; ++lamp) {
       const axis = this.row.first + lamp * this.row.pitch;
       const part = this.cutConvex(between(this.image, this.pixel, axis - this.half, axis + this.half), axis);
       sum2 += this.seenOf(part, axis) - (isApart ? 0 : this.hiddenOf(part, axis));
@@ -629,14 +638,14 @@ var RowInPixel = class {
   /** Numbers of the first and the last lamp in the pixel. */
   lamps() {
     const { row: row2, half } = this;
-    let low = row2.last, high2 = row2.first;
+    let low = row2.last, high3 = row2.first;
     for (const v of acrossCorners(this.image, this.pixel)) {
       low = Number.isFinite(v) ? Math.min(low, v) : row2.first;
-      high2 = Number.isFinite(v) ? Math.max(high2, v) : row2.last;
+      high3 = Number.isFinite(v) ? Math.max(high3, v) : row2.last;
     }
     return [
       Math.max(Math.ceil((low - half - row2.first) / row2.pitch), 0),
-      Math.min(Math.floor((high2 + half - row2.first) / row2.pitch), row2.lamps - 1)
+      Math.min(Math.floor((high3 + half - row2.first) / row2.pitch), row2.lamps - 1)
     ];
   }
   /** Coverage of strips too fine to be distinguished, as the mean over their possible positions. */
@@ -733,10 +742,10 @@ var RayList = class {
 // source/stripe_coverage.ts
 var leastWidth = 1e-6;
 function below(wide2, narrow2, x) {
-  const away = Math.abs(x), reach3 = 0.5 * (wide2 + narrow2);
-  if (away >= reach3) return x < 0 ? -0.5 : 0.5;
-  const rest3 = reach3 - away;
-  const inside = away <= reach3 - narrow2 ? away / wide2 : 0.5 - 0.5 * rest3 * rest3 / (wide2 * narrow2);
+  const away = Math.abs(x), reach4 = 0.5 * (wide2 + narrow2);
+  if (away >= reach4) return x < 0 ? -0.5 : 0.5;
+  const rest3 = reach4 - away;
+  const inside = away <= reach4 - narrow2 ? away / wide2 : 0.5 - 0.5 * rest3 * rest3 / (wide2 * narrow2);
   return x < 0 ? -inside : inside;
 }
 function share(wide2, narrow2, begin, end) {
@@ -756,13 +765,13 @@ function stripeCoverage(row2, width, v, wide2, narrow2) {
   }
   const half = 0.5 * width;
   if (!(width < pitch)) return share(wide2, narrow2, first - half - v, last + half - v);
-  const spread = 0.5 * (wide2 + narrow2), reach3 = spread + half, away = v - first;
+  const spread = 0.5 * (wide2 + narrow2), reach4 = spread + half, away = v - first;
   const off = Math.abs(offAxis(row2, v));
-  if (off >= reach3) return 0;
+  if (off >= reach4) return 0;
   if (off + spread <= half) return 1;
-  const end = Math.min(Math.floor((away + reach3) / pitch), lamps - 1);
+  const end = Math.min(Math.floor((away + reach4) / pitch), lamps - 1);
   let sum2 = 0;
-  for (let lamp = Math.max(Math.ceil((away - reach3) / pitch), 0); lamp <= end; ++lamp) {
+  for (let lamp = Math.max(Math.ceil((away - reach4) / pitch), 0); lamp <= end; ++lamp) {
     const at = lamp * pitch - away;
     sum2 += share(wide2, narrow2, at - half, at + half);
   }
@@ -802,41 +811,41 @@ function project(row2, rays, at, image, to) {
 }
 function coverage(row2, image, from, du, dv) {
   const u = image[from + 1] - du, v = image[from + 2] - dv, width = row2.diameter * image[from + 3];
-  const reach3 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
-  if (u + reach3 <= -room || u - reach3 >= row2.length + room) return 0;
+  const reach4 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  if (u + reach4 <= -room || u - reach4 >= row2.length + room) return 0;
   const strips = stripeCoverage(row2, width, v, image[from + 5], image[from + 6]);
-  if (u - reach3 >= 0 && u + reach3 <= row2.length || !(reach3 > 0 && reach3 < Infinity)) return strips;
-  return strips * Math.max(Math.min(u + reach3, row2.length) - Math.max(u - reach3, 0), 0) / (2 * reach3);
+  if (u - reach4 >= 0 && u + reach4 <= row2.length || !(reach4 > 0 && reach4 < Infinity)) return strips;
+  return strips * Math.max(Math.min(u + reach4, row2.length) - Math.max(u - reach4, 0), 0) / (2 * reach4);
 }
 function steadiness(row2, image, from, du, dv) {
   const u = image[from + 1] - du, half = 0.5 * row2.diameter * image[from + 3];
-  const reach3 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
-  const beyond = Math.max(-room - u - reach3, u - reach3 - row2.length - room);
+  const reach4 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  const beyond = Math.max(-room - u - reach4, u - reach4 - row2.length - room);
   if (beyond >= 0) return beyond;
   const wide2 = image[from + 5], { pitch, lamps } = row2;
   if (wide2 > 4 * pitch || 2 * half >= pitch || lamps === 0) return 0;
   const spread = 0.5 * (wide2 + image[from + 6]), off = Math.abs(offAxis(row2, image[from + 2] - dv));
   if (off - half >= spread) return off - half - spread;
-  return Math.max(Math.min(half - off - spread, u - reach3, row2.length - u - reach3), 0);
+  return Math.max(Math.min(half - off - spread, u - reach4, row2.length - u - reach4), 0);
 }
 function isAtEnd(row2, image, from, du, dv) {
   const u = image[from + 1] - du, v = image[from + 2] - dv;
-  const reach3 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
-  if (u + reach3 <= -room || u - reach3 >= row2.length + room) return false;
-  if (u - reach3 >= room && u + reach3 <= row2.length - room) return false;
+  const reach4 = widened(image, from, image[from + 4]), room = widened(image, from, image[from + 7] * 0.5 * row2.diameter);
+  if (u + reach4 <= -room || u - reach4 >= row2.length + room) return false;
+  if (u - reach4 >= room && u + reach4 <= row2.length - room) return false;
   return !isInGap(row2, image, from, v, row2.diameter * image[from + 3]);
 }
 function widened(image, from, length2) {
   return image[from + 8] > 0 ? length2 / image[from + 8] : length2 > 0 ? Infinity : 0;
 }
 function isInGap(row2, image, from, v, width) {
-  const least = image[from + 8], reach3 = 0.5 * (image[from + 5] + image[from + 6]);
-  const isAway = least > 0 && least * Math.abs(offAxis(row2, v)) > 0.5 * width + reach3;
-  return isAway && (v < row2.first || v > row2.last || reach3 < 0.5 * least * row2.pitch);
+  const least = image[from + 8], reach4 = 0.5 * (image[from + 5] + image[from + 6]);
+  const isAway = least > 0 && least * Math.abs(offAxis(row2, v)) > 0.5 * width + reach4;
+  return isAway && (v < row2.first || v > row2.last || reach4 < 0.5 * least * row2.pitch);
 }
 function mayHoldEnd(row2, image, from, du) {
-  const u = image[from + 1] - du, reach3 = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row2.diameter);
-  return Math.abs(u) < reach3 || Math.abs(row2.length - u) < reach3;
+  const u = image[from + 1] - du, reach4 = widened(image, from, image[from + 4] + image[from + 7] * 0.5 * row2.diameter);
+  return Math.abs(u) < reach4 || Math.abs(row2.length - u) < reach4;
 }
 function mayHoldEdge(row2, image, from, [du, dv], off) {
   if (!(image[from] > 0)) return false;
@@ -1101,32 +1110,32 @@ var LampLight = class {
   }
   /** Sets `seen` to the light along a ray, from what its rows cover of it. */
   look(isLater, ray) {
-    const { rows, seen, order: order2, partCoverage, distances } = this;
+    const { rows, seen, order: order3, partCoverage, distances } = this;
     let count = 0;
     seen[0] = seen[1] = seen[2] = seen[3] = 0;
     for (let i = 0; i < rows.length; ++i) {
       const covered = (isLater ? rows[i].later : rows[i].first).covered[ray];
-      if (covered > 0) order2[count++] = i, partCoverage[i] = covered;
+      if (covered > 0) order3[count++] = i, partCoverage[i] = covered;
     }
     if (count === 0) return;
     if (count > 1)
       for (let h = 0; h < count; ++h) {
-        const level = rows[rows[order2[h]].level];
-        distances[order2[h]] = (isLater ? level.later : level.first).images[imageNumbers * ray];
+        const level = rows[rows[order3[h]].level];
+        distances[order3[h]] = (isLater ? level.later : level.first).images[imageNumbers * ray];
       }
     this.addUp(count, 1);
   }
   /** Adds to `seen` the light of `order`'s rows, the nearest first, of which each dims those behind it. */
   addUp(count, share2) {
-    const { rows, seen, order: order2, partCoverage, distances } = this;
+    const { rows, seen, order: order3, partCoverage, distances } = this;
     for (let h = 1; h < count; ++h)
-      for (let g = h; g > 0 && distances[order2[g]] < distances[order2[g - 1]]; --g) {
-        const nearer = order2[g];
-        order2[g] = order2[g - 1], order2[g - 1] = nearer;
+      for (let g = h; g > 0 && distances[order3[g]] < distances[order3[g - 1]]; --g) {
+        const nearer = order3[g];
+        order3[g] = order3[g - 1], order3[g - 1] = nearer;
       }
     let passed = share2;
     for (let h = 0; h < count; ++h) {
-      const covered = passed * partCoverage[order2[h]], { luminance } = rows[order2[h]].frame;
+      const covered = passed * partCoverage[order3[h]], { luminance } = rows[order3[h]].frame;
       for (let k = 0; k < 3; ++k) seen[k] += luminance[k] * covered;
       seen[3] += covered, passed -= covered;
     }
@@ -1149,7 +1158,7 @@ var LampLight = class {
     return true;
   }
   addPart(way, share2) {
-    const { rows, image, order: order2, partCoverage, distances, cubic } = this;
+    const { rows, image, order: order3, partCoverage, distances, cubic } = this;
     let count = 0;
     for (let i = 0; i < rows.length; ++i) {
       const { frame } = rows[i];
@@ -1157,7 +1166,7 @@ var LampLight = class {
       const t = distances[i] = image[0];
       if (rows[i].level < i) distances[i] = distances[rows[i].level];
       const covered = !(t > 0 && t <= way) ? 0 : isAtEnd(frame, image, 0, 0, 0) ? endCoverage(frame, cubic.ray, 0) : coverage(frame, image, 0, 0, 0);
-      if (covered > 0) order2[count++] = i, partCoverage[i] = covered;
+      if (covered > 0) order3[count++] = i, partCoverage[i] = covered;
     }
     this.addUp(count, share2);
   }
@@ -1201,7 +1210,7 @@ function isInOnePlane(a, b) {
 }
 
 // source/look_colors.ts
-var surfaceLooks = ["zebra", "isophotes", "highlight lines", "curvature", "draft", "faces"];
+var surfaceLooks = ["zebra", "isophotes", "highlight lines", "curvature", "radius", "draft", "faces"];
 var degrees = 180 / Math.PI;
 var draftLimit = 3;
 var draftRange = 15;
@@ -1226,6 +1235,8 @@ function colorOf(look, buffer, scale) {
       return bands(buffer, highlightPhase(buffer, scale.planes.map((plane) => new RowFrame(plane))));
     case "curvature":
       return curvatureColor(buffer, scale);
+    case "radius":
+      return radiusColor(buffer, scale);
     case "draft":
       return draftColor(buffer);
     case "faces":
@@ -1253,9 +1264,9 @@ function highlightPhase(buffer, rows) {
   return (path) => {
     const place = placeOf(buffer, path), normal = normalOf(buffer, path);
     for (const row2 of rows) {
-      const reach3 = dot(row2.normal, difference(row2.origin, place)) / dot(row2.normal, normal);
-      if (!(reach3 > 0 && Number.isFinite(reach3) && row2.pitch > 0)) continue;
-      const at = sum(place, scaled(normal, reach3));
+      const reach4 = dot(row2.normal, difference(row2.origin, place)) / dot(row2.normal, normal);
+      if (!(reach4 > 0 && Number.isFinite(reach4) && row2.pitch > 0)) continue;
+      const at = sum(place, scaled(normal, reach4));
       return 2 * (dot(row2.v, difference(at, row2.origin)) - row2.first) / row2.pitch + 0.5;
     }
     return NaN;
@@ -1276,13 +1287,13 @@ function reachOf(buffer, values) {
 }
 function bands(buffer, phase) {
   const dark = 0.06, light = 0.94, values = Float64Array.from({ length: buffer.paths }, (_, path) => phase(path));
-  const reach3 = reachOf(buffer, values);
+  const reach4 = reachOf(buffer, values);
   const lightUpTo = (x) => {
     const whole = Math.floor(x / 2);
     return whole + Math.min(Math.max(x - 2 * whole - 1, 0), 1);
   };
   return (path) => {
-    const x = values[path], r = Math.max(1e-6, 1e-12 * Math.abs(x), reach3(path));
+    const x = values[path], r = Math.max(1e-6, 1e-12 * Math.abs(x), reach4(path));
     const share2 = Number.isNaN(x) ? 0.5 : (lightUpTo(x + r) - lightUpTo(x - r)) / (2 * r), grey = dark + (light - dark) * share2;
     return [grey, grey, grey];
   };
@@ -1309,8 +1320,21 @@ function curvatureOf({ kind, across }, surface) {
       return surface.along(unit(across));
   }
 }
+function sharpestOf({ principal: [larger, smaller] }) {
+  return Math.max(Math.abs(larger), Math.abs(smaller));
+}
+var radiusColorAt = (share2) => rainbow(1 - share2);
+var curvatureColorAt = (kind) => kind === "absolute" ? rainbow : signedColor;
+function radiusColor(buffer, { radii: [low, high3] }) {
+  return (path) => {
+    const surface = buffer.surfaceOf(path), k = sharpestOf(surface);
+    if (surface.face < 0) return ground;
+    if (Number.isNaN(k)) return unknown;
+    return radiusColorAt(k > 0 ? Math.log(1 / k / low) / Math.log(high3 / low) : 1);
+  };
+}
 function curvatureColor(buffer, { kind, across, fullCurvature }) {
-  const colorAt = kind === "absolute" ? rainbow : signedColor;
+  const colorAt = curvatureColorAt(kind);
   return (path) => {
     const surface = buffer.surfaceOf(path);
     if (surface.face < 0 && kind === "absolute") return ground;
@@ -1329,7 +1353,7 @@ function rainbow(share2) {
 function draftColor(buffer) {
   const steps = 8, floatAngle = 1e-4;
   const angles = Float64Array.from({ length: buffer.paths }, (_, path) => 90 - angleToVertical(normalOf(buffer, path)));
-  const reach3 = reachOf(buffer, angles);
+  const reach4 = reachOf(buffer, angles);
   const at = (angle) => {
     if (angle < -floatAngle) return mixed([0.98, 0.45, 0.32], [0.68, 0.02, 0.05], -angle / draftRange);
     if (angle < draftLimit - floatAngle) return [0.99, 0.84, 0.2];
@@ -1337,7 +1361,7 @@ function draftColor(buffer) {
   };
   return (path) => {
     if (faceOf(buffer, path) < 0) return ground;
-    const mean = [0, 0, 0], r = reach3(path);
+    const mean = [0, 0, 0], r = reach4(path);
     for (let i = 0; i < steps; ++i) {
       const own = at(angles[path] + r * ((2 * i + 1) / steps - 1));
       for (let k = 0; k < 3; ++k) mean[k] += own[k] / steps;
@@ -1655,14 +1679,25 @@ var Picture = class {
   }
   /** The round curvature of a look that 2 % of the body's picture exceed. */
   usualCurvature(look) {
-    const { buffer } = this, sizes = [];
+    const sizes = this.bodyValues((surface) => Math.abs(curvatureOf(look, surface)));
+    return roundUp(quantile(Float64Array.from(sizes), 0.98) || 1e-3);
+  }
+  /** Round radii, mm, between which lie all but 2 % of the body's picture on either side; workflow/radius_picture. */
+  usualRadii() {
+    const flat2 = 1e6;
+    const radii = Float64Array.from(this.bodyValues(sharpestOf).filter((k) => k * flat2 > 1), (k) => 1 / k);
+    if (radii.length === 0) return [1, 1e3];
+    const low = 1 / roundUp(1 / quantile(radii, 0.02));
+    return [low, Math.max(roundUp(quantile(radii, 0.98)), 10 * low)];
+  }
+  /** A value of each path that sees the body, where it is known. */
+  bodyValues(value) {
+    const { buffer } = this, values = [];
     for (let path = 0; buffer && path < buffer.paths; ++path) {
-      const surface = buffer.surfaceOf(path);
-      const curvature = surface.face > 0 ? curvatureOf(look, surface) : NaN;
-      if (!Number.isNaN(curvature)) sizes.push(Math.abs(curvature));
+      const surface = buffer.surfaceOf(path), known = surface.face > 0 ? value(surface) : NaN;
+      if (!Number.isNaN(known)) values.push(known);
     }
-    const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
-    return Number((power * ([1, 2, 5].find((step3) => value <= step3 * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
+    return values;
   }
   /** The path of a pixel, or of the nearest above that is there; -1 without one. */
   pathAt(x, y) {
@@ -1745,6 +1780,10 @@ var Picture = class {
       if (y % rowStep !== 0) this.words.copyWithin(y * width, (y - y % rowStep) * width, (y - y % rowStep + 1) * width);
   }
 };
+function roundUp(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return Number((power * ([1, 2, 5].find((step3) => value <= step3 * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
+}
 function quantile(values, share2) {
   return values.sort()[Math.round(share2 * (values.length - 1))] ?? 0;
 }
@@ -1758,19 +1797,21 @@ function wordOf({ look, kind }, fullCurvature) {
   if (look !== "curvature") return words[look] ?? look;
   return `curvature:${kind}${fullCurvature ? `=${fullCurvature}` : ""}`;
 }
+var hasSections = ({ look, kind }) => look === "curvature" && kind === "section";
 var directionWord = (across) => across.map((x) => Number(x.toPrecision(9))).join(",");
 function directionOf(word2) {
   const parts = word2.split(",").map((part) => part.trim() ? Number(part) : NaN);
   return parts.length === 3 && parts.every(Number.isFinite) && parts.some((part) => part !== 0) ? parts : null;
 }
-function lookOf(word2) {
+function lookOf(word2, across = usual.across) {
   const kind = curvatureKinds.find((name) => word2.split("=")[0] === `curvature:${name}`);
-  if (kind) return { ...usual, look: "curvature", kind };
+  if (kind) return { look: "curvature", kind, across };
   const look = looks.find((name) => name !== "curvature" && (words[name] ?? name) === word2);
   return look ? { ...usual, look } : null;
 }
 
 // source/analysis.ts
+var keptView = (name, camera, display) => ({ name, look: wordOf(display, display.fullCurvature), ...hasSections(display) ? { across: display.across } : {}, camera });
 function opened({ analysis, remarks, rig }) {
   if (!analysis) return null;
   return {
@@ -1786,16 +1827,18 @@ var fetchAnalysis = async () => opened(await (await ask("GET", "/analysis")).jso
 var openAnalysis = async (text2) => opened(await (await ask("PUT", "/analysis", text2)).json());
 var shownView = "shown";
 var quoted = (text2) => JSON.stringify(text2.replace(/\u007f/g, ""));
-function viewText2({ name, look, camera }) {
+function viewText2({ name, look, across, camera }) {
+  const planes = across ? `across = [${across.join(", ")}]
+` : "";
   return `[[view]]
 name = ${quoted(name)}
 look = ${quoted(look)}
-[view.camera]
+${planes}[view.camera]
 ${cameraText(camera)}
 size = [${camera.width}, ${camera.height}]`;
 }
 async function analysisFile({ camera, display, hidden, sections, views, notes }) {
-  const first = { name: shownView, look: wordOf(display, display.fullCurvature), camera };
+  const first = keptView(shownView, camera, display);
   const more = [hiddenText(hidden), sections.length > 0 ? `sections = [${sections.map(quoted).join(", ")}]` : ""].join("\n");
   const tables = [
     ...[first, ...views].map(viewText2),
@@ -1926,8 +1969,7 @@ var AnalysisPanel = class {
     const taken = new Set(this.views.map(({ name }) => name));
     let number = 1;
     while (taken.has(`view-${number}`)) ++number;
-    const display = this.host.display();
-    this.setViews([...this.views, { name: `view-${number}`, look: wordOf(display, display.fullCurvature), camera: this.host.camera() }]);
+    this.setViews([...this.views, keptView(`view-${number}`, this.host.camera(), this.host.display())]);
   }
   setViews(views) {
     this.views = views;
@@ -1941,8 +1983,8 @@ var AnalysisPanel = class {
       return [button(view.name, () => this.show(view)), remove, new Text(" ")];
     }));
   }
-  show({ camera, look }) {
-    const stated = lookOf(look);
+  show({ camera, look, across }) {
+    const stated = lookOf(look, across);
     if (stated) this.host.choose(stated);
     this.host.lookFrom(camera);
     if (!stated) this.host.tell(`this page does not draw ${look}`);
@@ -2506,7 +2548,7 @@ var right = 2;
 var middle = 4;
 function mouseAction(style, event) {
   const { buttons, shiftKey, ctrlKey, metaKey, altKey } = event, hasControl = ctrlKey || metaKey;
-  if (buttons === left && hasControl) return "lamps";
+  if (buttons === left && hasControl) return shiftKey ? "section" : "lamps";
   switch (style) {
     case "Keiko":
       return buttons & (right | middle) || shiftKey ? "pan" : "orbit";
@@ -2537,6 +2579,7 @@ var threshold = 3;
 function act(host, action, x, y) {
   const camera = host.camera();
   if (action === "lamps") host.lamps.drag(x, y);
+  if (action === "section") return host.turnSection(x, y);
   if (action === "pan") host.setCamera(panned(camera, x, y));
   if (action === "zoom") host.setCamera(dollied(camera, Math.exp(y / 200)));
   if (action === "orbit") host.setCamera(orbited(camera, camera.target, -x / 200, -y / 200));
@@ -2569,19 +2612,19 @@ var Pointer = class {
     if (!drag) return;
     const x = event.clientX - drag.x, y = event.clientY - drag.y;
     if (!drag.moved && Math.hypot(x, y) < threshold) return;
-    if (drag.action !== "lamps") drag.action = mouseAction(host.style(), event);
+    if (drag.action !== "lamps" && drag.action !== "section") drag.action = mouseAction(host.style(), event);
     if (drag.action === "none") return;
     const scale = host.camera().height / this.canvas.clientHeight, pixel = this.pixel(event);
     if (drag.action === "lamps") host.lamps.follow(drag.pixel, pixel);
     else act(host, drag.action, x * scale, y * scale);
     Object.assign(drag, { x: event.clientX, y: event.clientY, pixel, moved: true });
-    host.changed(drag.action !== "lamps", false);
+    if (drag.action !== "section") host.changed(drag.action !== "lamps", false);
   }
   release(event) {
     const { drag } = this;
     this.drag = null;
-    if (drag?.moved) return this.host.changed(drag.action !== "lamps", true);
-    if (event.button === 0) this.host.pick(...this.pixel(event));
+    if (drag?.moved && drag.action !== "section") return this.host.changed(drag.action !== "lamps", true);
+    if (!drag?.moved && event.button === 0) this.host.pick(...this.pixel(event));
   }
   wheel(event) {
     const { host } = this;
@@ -2600,6 +2643,7 @@ var lookKeys = {
   i: "isophotes",
   h: "highlight lines",
   c: "curvature",
+  m: "radius",
   d: "draft",
   f: "faces"
 };
@@ -2621,6 +2665,7 @@ function keysOf(host) {
     { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
     { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
     { key: "s", words: "seams over the picture, by verdict", act: () => host.toggleSeams() },
+    { key: "r", words: "reflection lines of the lamps over the picture", act: () => host.toggleLines() },
     { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
     { key: "?", words: "this list", act: () => showKeys(host) }
   ];
@@ -2629,8 +2674,9 @@ function showKeys(host) {
   showDialog("Keys and mouse", [
     ["mouse", `${mouseHelp[host.style()]}; wheel zooms`],
     ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
+    ["Ctrl + Shift + drag", "turns the section plane"],
     ["click", "place, normal and radii; on a seam its verdict"],
-    ["arrows", "turn; with Shift pan; with Ctrl move the row"],
+    ["arrows", "turn; with Shift pan; with Ctrl move the row; with both turn the section"],
     ...keysOf(host).map(({ key, words: words2 }) => [key, words2])
   ]);
 }
@@ -2642,10 +2688,232 @@ function listenToKeys(canvas, host) {
     if (does && (event.ctrlKey || event.metaKey)) return;
     event.preventDefault();
     if (does) return does();
-    act(host, event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
-    host.changed(!event.ctrlKey, true);
+    const action = event.ctrlKey ? event.shiftKey ? "section" : "lamps" : event.shiftKey ? "pan" : "orbit";
+    act(host, action, ...way);
+    if (action !== "section") host.changed(action !== "lamps", true);
   };
 }
+
+// source/measured.ts
+function measureLine(name, { value, limit, verdict }, unit2, shown2 = 1) {
+  const digits = (size2) => `${Number((shown2 * size2).toPrecision(3))}${unit2}`;
+  return { words: `${name} ${digits(value)}, ${limit === null ? "not judged" : `limit ${digits(limit)}`}`, verdict: verdict ?? "soft" };
+}
+
+// source/lamp_lines.ts
+var quantities = [
+  { name: "jump", words: "jumps sideways by", unit: " mm" },
+  { name: "turn", words: "jumps as over an angle of", unit: "°" },
+  { name: "kink", words: "kinks by", unit: "°" },
+  { name: "bend", words: "changes its curvature by", unit: " /mm" }
+];
+function failingOf(crossing) {
+  return quantities.find(({ name }) => crossing[name]?.verdict === "fail")?.name;
+}
+function measuresOf(crossing) {
+  return quantities.flatMap(({ name, words: words2, unit: unit2 }) => {
+    const measured = crossing[name];
+    return measured ? [measureLine(words2, measured, unit2)] : [];
+  });
+}
+var severity = ["pass", "undecided", "fail"];
+function verdictsOf({ lines: lines2, crossings }) {
+  const worst = lines2.map(() => -1);
+  for (const { line, verdict } of crossings) if (verdict) worst[line] = Math.max(worst[line], severity.indexOf(verdict));
+  return worst.map((at) => severity[at] ?? "none");
+}
+
+// source/polyline.ts
+function stroke(context, points) {
+  context.beginPath();
+  follow(context, points);
+  context.stroke();
+}
+function strokeAll(context, lines2, color, width) {
+  Object.assign(context, { strokeStyle: color, lineWidth: width });
+  context.beginPath();
+  for (const line of lines2) follow(context, line);
+  context.stroke();
+}
+function follow(context, points) {
+  let isDown = false;
+  for (const point of points) {
+    if (point && isDown) context.lineTo(...point);
+    else if (point) context.moveTo(...point);
+    isDown = point !== null;
+  }
+}
+
+// source/verdict_marks.ts
+var verdictColors = { none: "#9aa4ad", pass: "#4cd964", undecided: "#ffb300", fail: "#ff4a4a" };
+var apart = 16;
+function drawLabels(context, labels, color) {
+  const placed = [], high3 = 8;
+  Object.assign(context, { font: "bold 12px sans-serif", textAlign: "center", textBaseline: "middle" });
+  for (const { text: text2, at } of labels) {
+    const [x, y] = at, half = context.measureText(text2).width / 2 + 3;
+    if (placed.some((other) => Math.hypot(other[0] - x, other[1] - y) < apart)) continue;
+    context.fillStyle = "#000c";
+    context.fillRect(x - half, y - high3, 2 * half, 2 * high3);
+    context.fillStyle = color;
+    context.fillText(text2, x, y + 0.5);
+    placed.push(at);
+  }
+}
+
+// source/lamp_line_overlay.ts
+var colors = { ...verdictColors, none: "#5cc8ff" };
+var numbered = 20;
+var reach2 = 8;
+var LampLineOverlay = class {
+  constructor(picture, host) {
+    this.host = host;
+    this.found = { lines: [], crossings: [] };
+    this.verdicts = [];
+    // by line
+    this.marks = [];
+    this.overlay = new EyeOverlay("lamp-lines", picture, () => host.camera(), (context, camera) => this.draw(context, camera));
+  }
+  /** Shows lines that were found for the eye that is shown; null: none. */
+  show(found) {
+    this.found = found ?? { lines: [], crossings: [] };
+    this.verdicts = verdictsOf(this.found);
+    this.marks = [];
+    this.overlay.show(this.found.lines.length > 0);
+  }
+  /** The worst crossing at a pixel of the picture; null without one. */
+  at(x, y) {
+    return this.marks.find(({ at }) => Math.hypot(at[0] - x, at[1] - y) <= reach2)?.crossing ?? null;
+  }
+  draw(context, camera) {
+    const projection = new Projection(camera), { width, height } = camera, hidden = new Set(this.host.hidden()), { lines: lines2, crossings } = this.found;
+    const pixel = (place) => projection.set(place) ? [projection.x, projection.y] : null;
+    for (const [verdict, color] of Object.entries(colors)) {
+      const drawn = lines2.filter((_, i) => this.verdicts[i] === verdict).flatMap(({ pieces }) => pieces.filter(({ face }) => !hidden.has(face)).map(({ points }) => points.map(pixel)));
+      strokeAll(context, drawn, "#000", 3);
+      strokeAll(context, drawn, color, 1.5);
+    }
+    this.marks = crossings.flatMap((crossing) => {
+      const at = crossing.verdict ? pixel(crossing.place) : null;
+      return at && at[0] >= 0 && at[0] <= width && at[1] >= 0 && at[1] <= height ? [{ crossing, at }] : [];
+    });
+    for (const mark2 of [...this.marks].reverse()) drawMark(context, mark2.at, mark2.crossing.verdict);
+    const labels = this.marks.map(({ crossing, at: [x, y] }) => ({ number: crossings.indexOf(crossing) + 1, crossing, at: [x, y - 14] }));
+    drawLabels(context, labels.filter(({ number, crossing }) => crossing.verdict === "fail" && number <= numbered).map(({ number, at }) => ({ text: String(number), at })), colors.fail);
+  }
+};
+function drawMark(context, [x, y], verdict) {
+  context.beginPath();
+  context.arc(x, y, verdict === "pass" ? 2 : 4, 0, 2 * Math.PI);
+  Object.assign(context, { fillStyle: colors[verdict], strokeStyle: "#000", lineWidth: 1.5 });
+  context.fill();
+  context.stroke();
+}
+
+// source/lamp_lines_panel.ts
+var atOnce = 20;
+var LampLinesPanel = class {
+  constructor(into, host, picture) {
+    this.host = host;
+    this.isOver = false;
+    // they are drawn over the picture, or will be at rest
+    this.asked = null;
+    // null: not answered yet
+    this.running = new AbortController();
+    this.toggler = button("over the picture", () => this.toggle());
+    this.detail = element("div", "", { id: "crossing" });
+    this.list = element("div");
+    this.buttons = /* @__PURE__ */ new Map();
+    this.overlay = new LampLineOverlay(picture, host);
+    into.replaceChildren(element("p", [this.toggler]), this.detail, this.list);
+    this.toggler.title = "follows the lines that the lamps' axes make in this view, over seams";
+  }
+  /** True if they are drawn over the picture, or will be. */
+  get shown() {
+    return this.isOver;
+  }
+  toggle() {
+    this.isOver = !this.isOver;
+    this.host.keep();
+    this.settle();
+  }
+  /** Draws them at rest, or takes them off. */
+  show(isOver) {
+    this.isOver = isOver;
+    this.toggler.setAttribute("aria-pressed", String(isOver));
+  }
+  /** Eye, lamps or faces may be others: lines that are out of date go. */
+  outdate() {
+    if (this.isOver && !this.isCurrent()) this.clear();
+  }
+  /** Eye and lamps are at rest: the lines follow. */
+  settle() {
+    this.show(this.isOver);
+    if (!this.isOver) this.clear();
+    else if (!this.isCurrent()) void this.follow();
+    else if (this.asked.lines) this.present(this.asked.lines);
+  }
+  /** Chooses the crossing at a pixel of the picture; false without one. */
+  pick(x, y) {
+    const crossing = this.isOver ? this.overlay.at(x, y) : null;
+    if (crossing) this.choose(crossing);
+    return crossing !== null;
+  }
+  isCurrent() {
+    return this.asked?.camera === this.host.camera() && this.asked.planes === this.host.display().planes;
+  }
+  clear() {
+    this.running.abort();
+    if (!this.asked?.lines) this.asked = null;
+    this.overlay.show(null);
+    this.detail.replaceChildren();
+    this.list.replaceChildren();
+  }
+  async follow() {
+    this.clear();
+    const own = this.running = new AbortController(), { host } = this, camera = host.camera(), { planes } = host.display();
+    this.asked = { camera, planes, lines: null };
+    try {
+      host.tell("following the lines of the lamps");
+      const lines2 = await (await ask("POST", "/lines", requestText(camera, planes), own.signal)).json();
+      if (own.signal.aborted) return;
+      this.asked = { camera, planes, lines: lines2 };
+      this.present(lines2);
+    } catch (error) {
+      if (own.signal.aborted) return;
+      this.asked = null;
+      this.show(false);
+      host.fail(error);
+    }
+  }
+  present(found) {
+    this.overlay.show(found);
+    if (!this.list.hasChildNodes()) this.showList(found);
+  }
+  showList({ lines: lines2, crossings }) {
+    const judged = crossings.filter(({ verdict }) => verdict !== null), faulty = judged.filter(({ verdict }) => verdict !== "pass");
+    const words2 = `${lines2.length} lines, ${judged.length} crossings of seams, of which ${faulty.length} do not pass`;
+    this.buttons.clear();
+    this.list.replaceChildren(element("p", words2), longList(element("ol"), faulty, (crossing) => this.entry(crossing), atOnce, (left2) => `${left2} more`));
+    this.host.tell(words2);
+  }
+  entry(crossing) {
+    const named = button(crossing.faces, () => this.choose(crossing));
+    this.buttons.set(crossing, named);
+    return element("li", [named, new Text(failingOf(crossing) ?? crossing.verdict)], { className: crossing.verdict });
+  }
+  /** Marks a crossing with its line, and shows what is known of it above the list. */
+  choose(crossing) {
+    for (const [other, named] of this.buttons) named.setAttribute("aria-pressed", String(other === crossing));
+    const line = this.asked.lines.lines[crossing.line].pieces.map(({ points }) => points);
+    this.host.mark(crossing.place, line);
+    this.detail.replaceChildren(
+      element("p", crossing.faces),
+      ...measuresOf(crossing).map(({ words: words2, verdict }) => element("div", words2, { className: verdict }))
+    );
+    this.detail.scrollIntoView({ block: "nearest" });
+  }
+};
 
 // source/lamp_rows.ts
 var LampRows = class {
@@ -2793,31 +3061,32 @@ function noteOf(given) {
 function keepInAddress(state) {
   history.replaceState(null, "", `#${fragmentOf(state)}`);
 }
-function fragmentOf({ camera, look, planes, hidden, section, seams, notes }) {
+function fragmentOf({ camera, look, planes, hidden, section, seams, lines: lines2, notes }) {
   const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
-  if (look.look === "curvature" && look.kind === "section") fragment.set("across", directionWord(look.across));
+  if (hasSections(look)) fragment.set("across", directionWord(look.across));
   for (const plane of planes ?? []) fragment.append("row", rowText(plane));
   if (planes?.length === 0) fragment.append("rows", "none");
   if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
   if (section) fragment.append("section", section);
   if (seams) fragment.set("seams", "shown");
+  if (lines2) fragment.set("lines", "shown");
   for (const note of notes) fragment.append("note", noteText(note));
   return fragment;
 }
 function stateOfAddress() {
   const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
-  const camera = eyeOf(given), look = lookOf(given.get("look") ?? ""), hidden = numbersOf(given.get("hidden"));
+  const camera = eyeOf(given), look = lookOf(given.get("look") ?? "", directionOf(given.get("across") ?? "") ?? void 0), hidden = numbersOf(given.get("hidden"));
   const notes = given.getAll("note").map(noteOf);
   if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
-  const across = directionOf(given.get("across") ?? "") ?? look.across;
   const isOwn = rows.length > 0 || given.get("rows") === "none";
   return {
     camera,
-    look: { ...look, across },
+    look,
     planes: isOwn ? rows : null,
     hidden,
     section: given.get("section") ?? "",
     seams: given.get("seams") === "shown",
+    lines: given.get("lines") === "shown",
     notes
   };
 }
@@ -2836,6 +3105,7 @@ var LivePicture = class {
     this.canvas = byId("picture");
     this.white = 0;
     this.fullCurvature = 1e-3;
+    this.radii = [1, 1e3];
     this.frame = 0;
     this.spent = 0;
     // ms of work since the last frame
@@ -2851,7 +3121,7 @@ var LivePicture = class {
     }, { hidden: () => host.pictured().hidden });
   }
   display() {
-    return { ...this.host.look(), planes: this.host.pictured().planes, white: this.white || 1, fullCurvature: this.fullCurvature };
+    return { ...this.host.look(), planes: this.host.pictured().planes, white: this.white || 1, fullCurvature: this.fullCurvature, radii: this.radii };
   }
   /** The surface at a pixel, if there is one. */
   pick(x, y) {
@@ -2910,10 +3180,11 @@ var LivePicture = class {
     }
     return false;
   }
-  /** Takes white or the scale of curvature from the picture as it is drawn. */
+  /** Takes white or the scale of curvatures or radii from the picture as it is drawn. */
   measure() {
     const stated = this.host.look(), { look } = stated;
     if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(stated);
+    if (look === "radius") this.radii = this.picture.usualRadii();
     if (look === "lamps") this.white = this.picture.whiteOf();
   }
   paint() {
@@ -2948,26 +3219,38 @@ var LivePicture = class {
   }
 };
 
-// source/polyline.ts
-function stroke(context, points) {
-  context.beginPath();
-  follow(context, points);
-  context.stroke();
+// source/look_legend.ts
+var long = 220;
+var high = 10;
+function scaleOf2({ look, kind, fullCurvature, radii }) {
+  if (look === "radius") return { ends: [`${radii[0]} mm`, `${radii[1]} mm`], colorAt: radiusColorAt };
+  if (look !== "curvature") return null;
+  const colorAt = curvatureColorAt(kind), unit2 = kind === "gauss" ? "/mm²" : "/mm";
+  return kind === "absolute" ? { ends: [`0${unit2}`, `${fullCurvature} ${unit2}`], colorAt } : { ends: [`−${fullCurvature} ${unit2}`, `${fullCurvature} ${unit2}`], colorAt: (share2) => colorAt(2 * share2 - 1) };
 }
-function strokeAll(context, lines2, color, width) {
-  Object.assign(context, { strokeStyle: color, lineWidth: width });
-  context.beginPath();
-  for (const line of lines2) follow(context, line);
-  context.stroke();
-}
-function follow(context, points) {
-  let isDown = false;
-  for (const point of points) {
-    if (point && isDown) context.lineTo(...point);
-    else if (point) context.moveTo(...point);
-    isDown = point !== null;
+var LookLegend = class {
+  constructor(into) {
+    this.into = into;
+    this.bar = element("canvas", "", { width: long, height: high });
+    this.shown = "";
   }
-}
+  /** Shows the scale of a display, if it has one. */
+  show(display) {
+    const scale = scaleOf2(display), shown2 = scale ? `${display.look} ${display.kind} ${scale.ends.join()}` : "";
+    if (shown2 === this.shown) return;
+    this.shown = shown2;
+    this.into.replaceChildren(...scale ? [element("span", scale.ends[0]), this.bar, element("span", scale.ends[1])] : []);
+    if (scale) this.draw(scale.colorAt);
+  }
+  draw(colorAt) {
+    const context = this.bar.getContext("2d");
+    for (let x = 0; x < long; ++x) {
+      const [r, g, b] = colorAt((x + 0.5) / long).map((share2) => Math.round(255 * share2));
+      context.fillStyle = `rgb(${r}, ${g}, ${b})`;
+      context.fillRect(x, 0, 1, high);
+    }
+  }
+};
 
 // source/marks.ts
 var arm = 7;
@@ -3017,7 +3300,7 @@ function plotted(profile, mending) {
   return ["angle", profile.angle, (s) => s.angle];
 }
 var wide = 320;
-var high = 90;
+var high2 = 90;
 var top = 14;
 function svg(tag, attributes, text2 = "") {
   const made = document.createElementNS("http://www.w3.org/2000/svg", tag);
@@ -3043,9 +3326,9 @@ function profilePlot(profile, mending) {
   const [name, quantity, value] = plotted(profile, mending);
   const unit2 = quantity?.unit === "1" ? "" : ` ${quantity?.unit ?? ""}`, limit = quantity?.limit ?? null;
   const largest = Math.max(quantity?.largest ?? 0, limit ?? 0, 1e-12) * 1.05;
-  const scale = (v) => top + (high - top) * (1 - v / largest);
+  const scale = (v) => top + (high2 - top) * (1 - v / largest);
   const title = `${name} up to ${quantity?.largest.toPrecision(3) ?? "?"}${unit2} on ${profile.length.toFixed(1)} mm` + (limit === null ? "" : `, limit ${limit}${unit2}`);
-  const plot = svg("svg", { viewBox: `0 0 ${wide} ${high + 1}`, class: "plot", role: "img", "aria-label": title });
+  const plot = svg("svg", { viewBox: `0 0 ${wide} ${high2 + 1}`, class: "plot", role: "img", "aria-label": title });
   plot.append(svg("text", { x: 0, y: 10 }, title));
   if (limit !== null) plot.append(svg("line", { class: "limit", x1: 0, x2: wide, y1: scale(limit), y2: scale(limit) }));
   for (const points of lines(profile, value, scale)) plot.append(svg("polyline", { points }));
@@ -3073,8 +3356,8 @@ function closeUp(host, fault) {
 }
 function sightOf(fault) {
   const seen = fault.width >= 0.05 ? ` · breaks a reflection by ${fault.width.toFixed(1)}′` : "";
-  const long = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
-  return fault.mending + seen + long + (fault.mirrored ? " · on both sides" : "");
+  const long2 = fault.length > 0 ? ` · ${fault.length.toFixed(1)} mm, ${(100 * fault.visible).toFixed(0)} % visible` : "";
+  return fault.mending + seen + long2 + (fault.mirrored ? " · on both sides" : "");
 }
 function entry(host, fault) {
   const into = element("div");
@@ -3093,16 +3376,8 @@ function entry(host, fault) {
     into
   ]);
 }
-var atOnce = 20;
-function list(host, faults, start2) {
-  const shown2 = element("ol", faults.slice(0, atOnce).map((fault) => entry(host, fault)), { start: start2 }), left2 = faults.slice(atOnce);
-  if (left2.length === 0) return shown2;
-  const more = button(`${left2.length} more`, () => {
-    shown2.append(...left2.map((fault) => entry(host, fault)));
-    more.remove();
-  });
-  return element("div", [shown2, more]);
-}
+var atOnce2 = 20;
+var list = (host, faults, start2) => longList(element("ol", "", { start: start2 }), faults, (fault) => entry(host, fault), atOnce2, (left2) => `${left2} more`);
 function faultsPanel(into, host) {
   const found = element("div");
   const fetchAll = async (reply) => {
@@ -3237,10 +3512,10 @@ function radiusText(radius) {
 }
 function rangeText(range, radius) {
   if (!range) return `${radiusText(radius)}, not proved`;
-  const [low, high2] = range, least = 1 / Math.max(Math.abs(low), Math.abs(high2));
-  if (low <= 0 && high2 >= 0 && least <= flat) return `more than ${least.toPrecision(3)} mm either way`;
+  const [low, high3] = range, least = 1 / Math.max(Math.abs(low), Math.abs(high3));
+  if (low <= 0 && high3 >= 0 && least <= flat) return `more than ${least.toPrecision(3)} mm either way`;
   if (least > flat) return `flat: more than ${Math.min(least, 1e12).toPrecision(3)} mm`;
-  const middle2 = (1 / low + 1 / high2) / 2, bound = Math.max(Math.abs(1 / low - 1 / high2) / 2, 1e-15 * Math.abs(middle2));
+  const middle2 = (1 / low + 1 / high3) / 2, bound = Math.max(Math.abs(1 / low - 1 / high3) / 2, 1e-15 * Math.abs(middle2));
   const digits = Math.min(Math.max(-Math.floor(Math.log10(bound)), 0), 6);
   return `${Math.abs(middle2).toFixed(digits)} ± ${boundDigits(bound + 0.5 * 10 ** -digits)} mm ${sideOf(middle2)}`;
 }
@@ -3260,14 +3535,18 @@ function apartText(a, b) {
 // source/saving.ts
 function savePicture(picture, facts2, display, { width, height }) {
   download("picture.png", picture);
-  const section = display.look === "curvature" && display.kind === "section" ? ` --section ${directionWord(display.across)}` : "";
-  const look = display.look === "lamps" ? "" : ` --look ${wordOf(display, display.fullCurvature)}${section}`;
-  const command = `keiko render ${facts2.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${look} -o picture.png`;
+  const command = `keiko render ${facts2.inputs.join(" ")} --view view.toml --rig rig.toml --size ${width}x${height}${lookOptions(display)} -o picture.png`;
   showDialog("Picture", [
     ["file", "picture.png, in your downloads"],
     ["made by", display.look === "faces" ? "this page alone" : command],
     ["", "save view and save write the view and the rig"]
   ]);
+}
+function lookOptions(display) {
+  if (display.look === "lamps") return "";
+  const section = hasSections(display) ? ` --section ${directionWord(display.across)}` : "";
+  const scale = display.look === "radius" ? ` --scale ${display.radii.join(":")}` : "";
+  return ` --look ${wordOf(display, display.fullCurvature)}${section}${scale}`;
 }
 async function copyLink(state, tell) {
   try {
@@ -3294,19 +3573,16 @@ function worstPlace(seam) {
 }
 function measures(seam) {
   return continuities.flatMap(({ label, name, of, unit: unit2, shown: shown2 }) => {
-    const measured = of(seam), digits = (value) => `${Number((shown2 * value).toPrecision(3))}${unit2}`;
-    if (!measured) return [];
-    const limit = measured.limit === null ? "not judged" : `limit ${digits(measured.limit)}`;
-    return [{ words: `${label} ${name} ${digits(measured.value)}, ${limit}`, verdict: measured.verdict ?? "soft" }];
+    const measured = of(seam);
+    return measured ? [measureLine(`${label} ${name}`, measured, unit2, shown2)] : [];
   });
 }
 
 // source/seam_lines.ts
-var reach2 = 6;
+var reach3 = 6;
 var step2 = 4;
-var apart = 16;
-var colors = { scrap: "#9aa4ad", pass: "#4cd964", undecided: "#ffb300", fail: "#ff4a4a" };
-var styleOf = (seam) => seam.scrap ? "scrap" : seam.verdict;
+var order = Object.keys(verdictColors);
+var styleOf = (seam) => seam.scrap ? "none" : seam.verdict;
 var SeamLines = class {
   constructor(picture, host) {
     this.host = host;
@@ -3326,34 +3602,21 @@ var SeamLines = class {
   }
   /** The visible seam at a pixel of the picture, of several that which fails; null without one. */
   at(x, y) {
-    const isNear = (point) => point !== null && Math.hypot(point[0] - x, point[1] - y) <= reach2;
+    const isNear = (point) => point !== null && Math.hypot(point[0] - x, point[1] - y) <= reach3;
     const near = this.drawn.filter(({ lines: lines2, label }) => isNear(label && label.at) || lines2.some((line) => line.some(isNear)));
     return near[near.length - 1]?.seam ?? null;
   }
   draw(context, camera) {
     const sight = this.host.sight(), hidden = new Set(this.host.hidden());
     if (!sight) return;
-    const found = new VisibleCurves(camera, sight), order2 = Object.keys(colors);
-    this.drawn = this.seams.filter(({ face_ids: [a, b] }) => !hidden.has(a) || !hidden.has(b)).map((seam) => ({ seam, lines: seam.course.map((piece) => found.curve(piece)), label: labelOf(seam, found) })).sort((a, b) => order2.indexOf(styleOf(a.seam)) - order2.indexOf(styleOf(b.seam)));
-    for (const style of order2) {
+    const found = new VisibleCurves(camera, sight);
+    this.drawn = this.seams.filter(({ face_ids: [a, b] }) => !hidden.has(a) || !hidden.has(b)).map((seam) => ({ seam, lines: seam.course.map((piece) => found.curve(piece)), label: labelOf(seam, found) })).sort((a, b) => order.indexOf(styleOf(a.seam)) - order.indexOf(styleOf(b.seam)));
+    for (const style of order) {
       const lines2 = this.drawn.filter(({ seam }) => styleOf(seam) === style).flatMap((seam) => seam.lines);
       strokeAll(context, lines2, "#000", 3);
-      strokeAll(context, lines2, colors[style], 1.5);
+      strokeAll(context, lines2, verdictColors[style], 1.5);
     }
-    this.drawLabels(context);
-  }
-  drawLabels(context) {
-    const placed = [];
-    Object.assign(context, { font: "bold 12px sans-serif", textAlign: "center", textBaseline: "middle" });
-    for (const { label } of this.drawn) {
-      if (!label || placed.some(([x2, y2]) => Math.hypot(x2 - label.at[0], y2 - label.at[1]) < apart)) continue;
-      const [x, y] = label.at, half = context.measureText(label.text).width / 2 + 3, high2 = 8;
-      context.fillStyle = "#000c";
-      context.fillRect(x - half, y - high2, 2 * half, 2 * high2);
-      context.fillStyle = colors.fail;
-      context.fillText(label.text, x, y + 0.5);
-      placed.push(label.at);
-    }
+    drawLabels(context, this.drawn.flatMap(({ label }) => label ?? []), verdictColors.fail);
   }
 };
 function labelOf(seam, found) {
@@ -3388,8 +3651,8 @@ var VisibleCurves = class extends Projection {
 };
 
 // source/seams.ts
-var order = ["fail", "undecided", "pass"];
-var atOnce2 = 20;
+var order2 = ["fail", "undecided", "pass"];
+var atOnce3 = 20;
 var SeamsPanel = class {
   constructor(into, host, picture) {
     this.host = host;
@@ -3442,7 +3705,7 @@ var SeamsPanel = class {
     this.host.tell("judging the seams");
     const { seams } = await (await ask("GET", "/seams")).json();
     if (seams.some((seam) => !seam.course)) throw new Error("the report is of an earlier version: its seams have no course");
-    const sorted = [...seams].sort((a, b) => order.indexOf(a.verdict) - order.indexOf(b.verdict) || b.severity - a.severity || a.number - b.number);
+    const sorted = [...seams].sort((a, b) => order2.indexOf(a.verdict) - order2.indexOf(b.verdict) || b.severity - a.severity || a.number - b.number);
     this.host.tell(`${seams.length} stretches of seams, the worst first`);
     this.head.replaceChildren(button("over the picture", () => this.toggle()));
     this.found.replaceChildren(seams.length > 0 ? this.list(sorted) : element("p", "no seams"));
@@ -3450,14 +3713,8 @@ var SeamsPanel = class {
   }
   /** The seams in their order; many that pass on request. */
   list(seams) {
-    const faulty = seams.filter((seam) => seam.verdict !== "pass").length, first = Math.max(faulty, atOnce2);
-    const shown2 = element("table", seams.slice(0, first).map((seam) => this.entry(seam))), left2 = seams.slice(first);
-    if (left2.length === 0) return shown2;
-    const more = button(`${left2.length} more, which pass`, () => {
-      shown2.append(...left2.map((seam) => this.entry(seam)));
-      more.remove();
-    });
-    return element("div", [shown2, more]);
+    const faulty = seams.filter((seam) => seam.verdict !== "pass").length, first = Math.max(faulty, atOnce3);
+    return longList(element("table"), seams, (seam) => this.entry(seam), first, (left2) => `${left2} more, which pass`);
   }
   entry(seam) {
     const named = button(seam.faces, () => this.flyTo(seam));
@@ -3469,7 +3726,7 @@ var SeamsPanel = class {
     ]);
   }
   flyTo(seam) {
-    this.host.flyTo(worstPlace(seam));
+    this.host.flyTo(worstPlace(seam), seam.length);
     this.host.mark(worstPlace(seam), seam.course);
     this.choose(seam);
   }
@@ -3498,58 +3755,136 @@ var SeamsPanel = class {
   }
 };
 
-// source/section.ts
+// source/section_plane.ts
+var axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+var planeWords = ({ facing, height }) => `${facing}=${height.toFixed(2)}`;
+function planeOf(words2) {
+  const [facing, at, ...more] = words2.split("="), normal = axes[facing] ?? directionOf(facing), height = at?.trim() ? Number(at) : NaN;
+  return normal && Number.isFinite(height) && more.length === 0 ? { facing, normal: unit(normal), height } : null;
+}
+function middlePlane(axis, bounds) {
+  const normal = axes[axis], [low, high3] = heightsOf(bounds, normal);
+  return { facing: axis, normal, height: (low + high3) / 2 };
+}
+function heightsOf({ lower, upper }, normal) {
+  const far = [0, 1, 2].map((k) => [lower[k] * normal[k], upper[k] * normal[k]]);
+  return [far.reduce((all, ends) => all + Math.min(...ends), 0), far.reduce((all, ends) => all + Math.max(...ends), 0)];
+}
+function pivotOf({ normal, height }, { lower, upper }) {
+  const middle2 = scaled(sum(lower, upper), 0.5);
+  return sum(middle2, scaled(normal, height - dot(normal, middle2)));
+}
+function facingPlane(plane, facing, bounds) {
+  const faced = planeOf(`${facing}=0`);
+  return faced && { ...faced, height: dot(faced.normal, pivotOf(plane, bounds)) };
+}
+function turnedPlane(plane, camera, right2, down, bounds) {
+  const seen = axesOf(camera), normal = turned(turned(plane.normal, seen.up, right2), seen.right, down);
+  return facingPlane(plane, normal.map((x) => String(Number(x.toFixed(4)))).join(","), bounds);
+}
+function outlineOf({ normal, height }, { lower, upper }) {
+  const corner = (i) => [0, 1, 2].map((k) => (i >> k & 1 ? upper : lower)[k]);
+  const cuts = [];
+  for (let i = 0; i < 8; ++i)
+    for (const step3 of [1, 2, 4]) {
+      if (i & step3) continue;
+      const from = corner(i), to = corner(i | step3), a = dot(normal, from) - height, b = dot(normal, to) - height;
+      if (a * b < 0) cuts.push(sum(scaled(from, b / (b - a)), scaled(to, a / (a - b))));
+    }
+  return inOrder(cuts, normal);
+}
+function inOrder(corners2, normal) {
+  const middle2 = scaled(corners2.reduce((a, b) => sum(a, b), [0, 0, 0]), 1 / corners2.length);
+  const aside = unit(Math.abs(normal[2]) < 0.9 ? [normal[1], -normal[0], 0] : [0, normal[2], -normal[1]]), across = cross(normal, aside);
+  const angle = (corner) => {
+    const out = difference(corner, middle2);
+    return Math.atan2(dot(out, across), dot(out, aside));
+  };
+  return [...corners2].sort((a, b) => angle(a) - angle(b));
+}
+
+// source/section_curves.ts
 var longestTooth = 0.06;
-function drawCombs(context, camera, curves, size2) {
-  const projection = new Projection(camera);
-  const place = (at) => projection.set(at) ? [projection.x, projection.y] : null;
-  const bent = Math.max(...curves.map((curve) => Math.abs(curve.largest_curvature.value)), 1e-12);
-  const tooth = longestTooth * size2 / bent;
-  for (const { pieces } of curves)
-    for (const { samples } of pieces) {
-      const foot = samples.map((s) => place(s.place));
-      const tip = samples.map((s) => place(sum(s.place, scaled(s.towards, -s.curvature * tooth))));
+var SectionCurves = class {
+  /** `size`: of the body, mm. */
+  constructor(picture, camera, size2) {
+    this.size = size2;
+    this.curves = [];
+    this.outline = [];
+    this.overlay = new EyeOverlay("section-lines", picture, camera, (context, eye) => this.draw(context, new Projection(eye)));
+  }
+  /** Shows curves, none or more, on a plane with an outline of none or more corners. */
+  show(curves, outline) {
+    this.curves = curves;
+    this.outline = outline;
+    this.overlay.show(curves.length + outline.length > 0);
+  }
+  draw(context, projection) {
+    const pixel = (at) => projection.set(at) ? [projection.x, projection.y] : null;
+    const { outline: [first], outline } = this;
+    context.strokeStyle = "#ffd23a", context.setLineDash([6, 5]);
+    if (first) stroke(context, [...outline, first].map(pixel));
+    context.setLineDash([]);
+    this.drawCombs(context, pixel);
+  }
+  drawCombs(context, pixel) {
+    const tooth = longestTooth * this.size / Math.max(largestCurvature(this.curves), 1e-12);
+    for (const { samples } of this.curves.flatMap(({ pieces }) => pieces)) {
+      const foot = samples.map((s) => pixel(s.place));
+      const tip = samples.map((s) => pixel(sum(s.place, scaled(s.towards, -s.curvature * tooth))));
       context.strokeStyle = "#3ad0ff88";
       foot.forEach((from, i) => stroke(context, [from, tip[i]]));
       stroke(context, tip);
       context.strokeStyle = "#ffd23a";
       stroke(context, foot);
     }
-}
-function summary(curves, plane) {
+  }
+};
+var largestCurvature = (curves) => Math.max(0, ...curves.map((curve) => Math.abs(curve.largest_curvature.value)));
+function summaryOf(curves, plane) {
   if (curves.length === 0) return `${plane} misses the body`;
-  const long = curves.reduce((all, curve) => all + curve.length, 0);
-  const bent = Math.max(...curves.map((curve) => Math.abs(curve.largest_curvature.value)));
-  return `${plane}: ${long.toFixed(1)} mm, radii from ${(1 / bent).toPrecision(4)} mm`;
+  const long2 = curves.reduce((all, curve) => all + curve.length, 0);
+  return `${plane}: ${long2.toFixed(1)} mm, radii from ${(1 / Math.max(largestCurvature(curves), 1e-12)).toPrecision(4)} mm`;
 }
-var axes = ["x", "y", "z"];
+
+// source/section.ts
+var free = "free";
+var perPixel = 1 / 200;
 var SectionPanel = class {
   constructor(into, host, picture) {
     this.host = host;
     this.choice = element("select", "", { ariaLabel: "axis" });
-    this.slider = element("input", "", { type: "range", ariaLabel: "position", step: "any", disabled: true });
+    this.normal = element("input", "", { ariaLabel: "normal of the section", size: 22 });
+    this.slider = element("input", "", { type: "range", ariaLabel: "position", step: "any" });
+    this.height = element("input", "", { type: "number", ariaLabel: "position in mm", step: "any" });
+    this.turning = element("p", [this.normal]);
+    this.moving = element("p", [this.slider, this.height]);
     this.text = element("p");
-    this.curves = [];
+    this.words = "";
+    // of the plane
+    this.shown = null;
     this.kept = [];
     // planes of an analysis
-    this.running = new AbortController();
-    const { lower, upper } = host.facts.bounds, size2 = length(difference(upper, lower));
-    this.overlay = new EyeOverlay(
-      "section-lines",
-      picture,
-      () => host.camera(),
-      (context, camera) => drawCombs(context, camera, this.curves, size2)
-    );
+    this.isCutting = false;
+    const { bounds: { lower, upper } } = host.facts;
+    this.curves = new SectionCurves(picture, () => host.camera(), length(difference(upper, lower)));
     this.choice.onchange = () => this.choose(this.choice.value);
-    this.slider.oninput = () => void this.cut();
-    into.replaceChildren(this.choice, this.slider, this.text);
+    this.normal.onchange = () => this.face(this.normal.value);
+    this.slider.oninput = () => this.move(Number(this.slider.value));
+    this.height.onchange = () => this.move(Number(this.height.value));
+    into.replaceChildren(
+      this.choice,
+      this.turning,
+      this.moving,
+      this.text,
+      element("p", "Ctrl + Shift + drag on the picture turns the plane", { className: "soft" })
+    );
     this.offer([]);
+    this.present("none");
   }
-  /** The plane that is shown, "y=120", or "". */
+  /** The words of the plane that is shown, or "". */
   get plane() {
-    const { value } = this.choice;
-    if (value === "none") return "";
-    return axes.includes(value) ? `${value}=${Number(this.slider.value).toFixed(2)}` : value;
+    return this.words;
   }
   /** The plane that is shown, and those of the analysis. */
   get planes() {
@@ -3560,43 +3895,74 @@ var SectionPanel = class {
     this.offer(planes);
     this.show(planes[0] ?? "");
   }
-  /** Shows a plane; "": none. */
-  show(plane) {
-    const [axis, at] = plane.split("=");
-    if (plane && !axes.includes(axis) && !this.kept.includes(plane)) this.offer([...this.kept, plane]);
-    if (!axes.includes(axis)) return this.choose(plane || "none");
-    this.choose(axis, Number(at));
+  /** Shows a plane by its words; none for others. */
+  show(words2) {
+    const plane = planeOf(words2);
+    this.set(plane, plane ? words2 : "");
+  }
+  /** Turns the plane about its middle on the body, as a drag by pixels on the picture; without one, a plane across y. */
+  turn(x, y) {
+    this.set(turnedPlane(this.shown ?? this.across("y"), this.host.camera(), x * perPixel, y * perPixel, this.host.facts.bounds));
   }
   offer(kept) {
     this.kept = kept;
-    this.choice.replaceChildren(...["none", ...axes, ...kept].map((name) => element("option", name)));
+    this.choice.replaceChildren(...["none", ...Object.keys(axes), free, ...kept].map((name) => element("option", name)));
   }
-  choose(name, position) {
-    const { lower, upper } = this.host.facts.bounds, at = axes.indexOf(name);
+  choose(name) {
+    if (name === free) this.set(this.shown ?? this.across("y"), void 0, free);
+    else if (axes[name]) this.set(this.across(name));
+    else this.show(name);
+  }
+  /** The plane across an axis through the middle of the body. */
+  across(axis) {
+    return middlePlane(axis, this.host.facts.bounds);
+  }
+  move(height) {
+    if (this.shown && Number.isFinite(height)) this.set({ ...this.shown, height });
+  }
+  /** Turns the plane about its middle on the body to a direction. */
+  face(facing) {
+    const faced = this.shown && facingPlane(this.shown, facing.replace(/\s/g, ""), this.host.facts.bounds);
+    this.set(faced ?? this.shown, void 0, free);
+  }
+  set(plane, words2 = plane ? planeWords(plane) : "", name = !plane ? "none" : axes[plane.facing] ? plane.facing : free) {
+    this.shown = plane;
+    this.words = words2;
+    this.present(name);
+    if (!this.isCutting) void this.cut();
+  }
+  /** Shows the plane's numbers, and what changes them. */
+  present(name) {
+    const { shown: shown2 } = this;
     this.choice.value = name;
-    this.slider.disabled = at < 0;
-    if (at >= 0) {
-      Object.assign(this.slider, { min: String(lower[at]), max: String(upper[at]) });
-      this.slider.value = String(position ?? (lower[at] + upper[at]) / 2);
-    }
-    void this.cut();
+    this.turning.hidden = name !== free;
+    this.moving.hidden = shown2 === null;
+    if (!shown2) return;
+    const [min, max] = heightsOf(this.host.facts.bounds, shown2.normal);
+    Object.assign(this.slider, { min: String(min), max: String(max) });
+    this.slider.value = String(shown2.height);
+    this.height.value = shown2.height.toFixed(2);
+    this.normal.value = axes[shown2.facing]?.join(",") ?? shown2.facing;
   }
-  draw(curves, summary2) {
-    this.curves = curves;
-    this.overlay.show(curves.length > 0);
-    this.text.textContent = summary2;
-    this.host.keep();
-  }
+  /** Cuts the body by the plane; again and again while that moves on. */
   async cut() {
-    this.running.abort();
-    const own = this.running = new AbortController(), { plane } = this;
-    if (!plane) return this.draw([], "");
+    this.isCutting = true;
     try {
-      const { curves } = await (await ask("POST", "/section", plane, own.signal)).json();
-      if (!own.signal.aborted) this.draw(curves, summary(curves, plane));
+      for (let cut = null; cut !== this.words; ) {
+        cut = this.words;
+        const curves = cut ? (await (await ask("POST", "/section", cut)).json()).curves : [];
+        this.draw(curves, cut);
+      }
+      this.host.keep();
     } catch (error) {
-      if (!own.signal.aborted) this.host.fail(error);
+      this.draw([], "");
+      this.host.fail(error);
     }
+    this.isCutting = false;
+  }
+  draw(curves, words2) {
+    this.curves.show(curves, this.shown ? outlineOf(this.shown, this.host.facts.bounds) : []);
+    this.text.textContent = words2 ? summaryOf(curves, words2) : "";
   }
 };
 
@@ -3667,6 +4033,7 @@ var Viewer = class {
     this.left = [];
     // faces that are not shown
     this.stated = firstLook;
+    this.legend = new LookLegend(byId("legend"));
     this.eye = facts2.camera;
     this.lamps = new LampRows(facts2.rig.planes, this);
     this.mouse = mouseStyles.find((style) => style === localStorage.getItem("mouse")) ?? "Keiko";
@@ -3677,6 +4044,7 @@ var Viewer = class {
     this.places = new PickPanel(this);
     this.comparison = new Comparison(byId("compare"), this, canvas);
     this.seams = new SeamsPanel(byId("seams"), this, canvas);
+    this.lines = new LampLinesPanel(byId("lines"), this, canvas);
     this.tree = new Tree(byId("tree"), this);
     this.marks = new Marks(canvas, () => this.eye);
     this.analysis = new AnalysisPanel(byId("analysis"), this, canvas);
@@ -3727,7 +4095,7 @@ var Viewer = class {
   mirroredOn(x, y, plane) {
     return this.picture.mirroredOn(x, y, plane);
   }
-  restore({ camera, look, planes, hidden, section, seams, notes }) {
+  restore({ camera, look, planes, hidden, section, seams, lines: lines2, notes }) {
     this.eye = { ...this.facts.camera, ...camera };
     this.lamps.take(planes ?? this.lamps.all);
     this.stated = look;
@@ -3735,12 +4103,13 @@ var Viewer = class {
     this.analysis.notes.show(notes);
     if (section) this.section.show(section);
     if (seams) void this.seams.show(true);
+    this.lines.show(lines2);
   }
   take({ views: [first], sections, hidden, rig }) {
     this.lamps.take(rig.planes);
     this.section.take(sections);
     if (first) this.eye = { ...this.eye, ...first.camera, width: this.eye.width, height: this.eye.height };
-    this.choose(lookOf(first?.look ?? "lamps") ?? this.stated);
+    this.choose(lookOf(first?.look ?? "lamps", first?.across) ?? this.stated);
     this.lamps.choose(0);
     this.hide(hidden);
   }
@@ -3753,6 +4122,7 @@ var Viewer = class {
       hidden: this.left,
       section: this.section.plane,
       seams: this.seams.shown,
+      lines: this.lines.shown,
       notes: this.analysis.notes.all
     };
   }
@@ -3761,10 +4131,12 @@ var Viewer = class {
   }
   settled() {
     this.seams.update();
+    this.lines.settle();
     this.keep();
   }
   drawn() {
     this.gizmo.show(this.lamps.row, this.eye);
+    this.legend.show(this.display());
   }
   rowChosen() {
     showLamps(this);
@@ -3772,6 +4144,7 @@ var Viewer = class {
   }
   changed(isEye, isOver) {
     this.picture.changed(isEye, isOver);
+    this.lines.outdate();
   }
   setCamera(camera) {
     this.eye = camera;
@@ -3780,14 +4153,15 @@ var Viewer = class {
     this.eye = sized(camera, this.eye.width, this.eye.height);
     this.changed(true, true);
   }
-  flyTo(place) {
-    const near = length(difference(this.facts.bounds.upper, this.facts.bounds.lower)) / 2;
-    this.lookFrom(lookingAt(this.eye, place, near));
+  flyTo(place, long2 = Infinity) {
+    const size2 = length(difference(this.facts.bounds.upper, this.facts.bounds.lower));
+    this.lookFrom(lookingAt(this.eye, place, Math.min(Math.max(3 * long2, size2 / 20), size2 / 2)));
     this.mark(place);
   }
   pick(x, y) {
     const picked = this.picture.pick(x, y);
     this.places.show(picked);
+    if (this.lines.pick(x, y)) return;
     const seam = picked && this.seams.pick(x, y);
     if (seam) this.mark(picked.place, seam.course);
     else this.marks.move(picked && picked.place);
@@ -3806,7 +4180,7 @@ var Viewer = class {
   choose(stated) {
     this.stated = stated;
     this.showLooks();
-    if (stated.look === "curvature") this.picture.measure();
+    if (stated.look === "curvature" || stated.look === "radius") this.picture.measure();
     this.changed(false, true);
   }
   chooseLook(look) {
@@ -3825,6 +4199,12 @@ var Viewer = class {
   }
   toggleSeams() {
     this.seams.toggle();
+  }
+  turnSection(x, y) {
+    this.section.turn(x, y);
+  }
+  toggleLines() {
+    this.lines.toggle();
   }
   copyLink() {
     void copyLink(this.state(), (line) => this.tell(line));

@@ -1,6 +1,6 @@
 import { Camera } from "./camera";
 import { Rig } from "./facts";
-import { wordOf } from "./look_words";
+import { hasSections, wordOf } from "./look_words";
 import { Display } from "./picture";
 import { ask, cameraText, hiddenText, requestText } from "./server";
 import { Vector } from "./vector";
@@ -8,8 +8,12 @@ import { Vector } from "./vector";
 /** A remark of the user on a place; `face` 0: the place is not on the part any more. */
 export interface Note { text: string; place: Vector; face: number }
 
-/** A view that is kept with its look, a word of look_words. */
-export interface KeptView { name: string; look: string; camera: Camera }
+/** A view that is kept with its look, a word of look_words, and the normal of the planes of its sections. */
+export interface KeptView { name: string; look: string; across?: Vector; camera: Camera }
+
+/** The view of a camera as it is displayed, under a name. */
+export const keptView = (name: string, camera: Camera, display: Display): KeptView =>
+  ({ name, look: wordOf(display, display.fullCurvature), ...hasSections(display) ? { across: display.across } : {}, camera });
 
 /** What an analysis on this body holds: keiko-analysis/1, as far as the page uses it. */
 interface Analysis {
@@ -57,13 +61,14 @@ export interface Shown { camera: Camera; display: Display; hidden: number[]; sec
 // JSON quotes as TOML does, except for one control character.
 const quoted = (text: string): string => JSON.stringify(text.replace(/\u007f/g, ""));
 
-function viewText({ name, look, camera }: KeptView): string {
-  return `[[view]]\nname = ${quoted(name)}\nlook = ${quoted(look)}\n[view.camera]\n${cameraText(camera)}\nsize = [${camera.width}, ${camera.height}]`;
+function viewText({ name, look, across, camera }: KeptView): string {
+  const planes = across ? `across = [${across.join(", ")}]\n` : "";
+  return `[[view]]\nname = ${quoted(name)}\nlook = ${quoted(look)}\n${planes}[view.camera]\n${cameraText(camera)}\nsize = [${camera.width}, ${camera.height}]`;
 }
 
 /** The file of an analysis, keiko-analysis/1. */
 export async function analysisFile({ camera, display, hidden, sections, views, notes }: Shown): Promise<Blob> {
-  const first = { name: shownView, look: wordOf(display, display.fullCurvature), camera };
+  const first = keptView(shownView, camera, display);
   const more = [hiddenText(hidden), sections.length > 0 ? `sections = [${sections.map(quoted).join(", ")}]` : ""].join("\n");
   const tables = [...[first, ...views].map(viewText),
     ...notes.map(({ text, place }) => `[[note]]\ntext = ${quoted(text)}\nplace = [${place.join(", ")}]`)].join("\n");

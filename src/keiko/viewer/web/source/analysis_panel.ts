@@ -1,6 +1,6 @@
-import { analysisFile, KeptView, Note, openAnalysis, OpenedAnalysis, shownView } from "./analysis";
+import { analysisFile, keptView, KeptView, Note, openAnalysis, OpenedAnalysis, shownView } from "./analysis";
 import { Host } from "./host";
-import { lookOf, wordOf } from "./look_words";
+import { lookOf } from "./look_words";
 import { Notes } from "./notes";
 import { button, download, element, pickedText } from "./panel";
 
@@ -50,8 +50,7 @@ export class AnalysisPanel {
     const taken = new Set(this.views.map(({ name }) => name));
     let number = 1;
     while (taken.has(`view-${number}`)) ++number;
-    const display = this.host.display();
-    this.setViews([...this.views, { name: `view-${number}`, look: wordOf(display, display.fullCurvature), camera: this.host.camera() }]);
+    this.setViews([...this.views, keptView(`view-${number}`, this.host.camera(), this.host.display())]);
   }
 
   private setViews(views: KeptView[]): void {
@@ -68,8 +67,8 @@ export class AnalysisPanel {
     }));
   }
 
-  private show({ camera, look }: KeptView): void {
-    const stated = lookOf(look);
+  private show({ camera, look, across }: KeptView): void {
+    const stated = lookOf(look, across);
     if (stated) this.host.choose(stated);
     this.host.lookFrom(camera);
     if (!stated) this.host.tell(`this page does not draw ${look}`);

@@ -1,6 +1,6 @@
 import { Camera, lookingAt } from "./camera";
 import { Host } from "./host";
-import { button, element } from "./panel";
+import { button, element, longList } from "./panel";
 import { Profile, profilePlot } from "./profile_plot";
 import { ask, requestText } from "./server";
 import { difference, length, Vector } from "./vector";
@@ -68,16 +68,8 @@ function entry(host: Host, fault: Fault): HTMLElement {
 
 const atOnce = 20; // entries of a list
 
-/** The faults of a list, the first of them at once and the others on request. */
-function list(host: Host, faults: Fault[], start: number): HTMLElement {
-  const shown = element("ol", faults.slice(0, atOnce).map((fault) => entry(host, fault)), { start }), left = faults.slice(atOnce);
-  if (left.length === 0) return shown;
-  const more = button(`${left.length} more`, () => {
-    shown.append(...left.map((fault) => entry(host, fault)));
-    more.remove();
-  });
-  return element("div", [shown, more]);
-}
+const list = (host: Host, faults: Fault[], start: number): HTMLElement =>
+  longList(element("ol", "", { start }), faults, (fault) => entry(host, fault), atOnce, (left) => `${left} more`);
 
 /** Buttons that fetch the faults in the order of mending, of the body alone or under the lamps too; a click on one flies there. */
 export function faultsPanel(into: HTMLElement, host: Host): void {

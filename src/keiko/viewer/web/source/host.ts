@@ -17,8 +17,8 @@ export interface Host {
   choose(look: StatedLook): void;
   /** Shows the scene from another eye, in a picture of the same size. */
   lookFrom(camera: Camera): void;
-  /** Shows a place in the middle, from where the eye is. */
-  flyTo(place: Vector): void;
+  /** Shows a place in the middle from where the eye is, near enough for what is some mm long there. */
+  flyTo(place: Vector, long?: number): void;
   /** Marks a place over the picture, and the stretch of a seam that it is about, piece by piece. */
   mark(place: Vector, stretch?: Vector[][]): void;
   /** Shows the scene without some faces, by their numbers in the file. */

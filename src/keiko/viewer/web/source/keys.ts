@@ -10,10 +10,12 @@ export interface KeyHost extends PointerHost {
   savePicture(): void;
   /** Draws the seams over the picture, or takes them off. */
   toggleSeams(): void;
+  /** Draws the lines of the lamps over the picture, or takes them off. */
+  toggleLines(): void;
 }
 
 const lookKeys: Record<string, Look> = {
-  l: "lamps", z: "zebra", i: "isophotes", h: "highlight lines", c: "curvature", d: "draft", f: "faces",
+  l: "lamps", z: "zebra", i: "isophotes", h: "highlight lines", c: "curvature", m: "radius", d: "draft", f: "faces",
 };
 const arrowStep = 10; // px
 const arrows: Record<string, [number, number]> = {
@@ -31,6 +33,7 @@ function keysOf(host: KeyHost): Key[] {
     { key: "[", words: "turn the row by 2 degrees", act: () => host.lamps.move("turn", angle) },
     { key: "]", words: "turn the row back", act: () => host.lamps.move("turn", -angle) },
     { key: "s", words: "seams over the picture, by verdict", act: () => host.toggleSeams() },
+    { key: "r", words: "reflection lines of the lamps over the picture", act: () => host.toggleLines() },
     { key: "p", words: "the picture as a file, with its command line", act: () => host.savePicture() },
     { key: "?", words: "this list", act: () => showKeys(host) },
   ];
@@ -40,7 +43,8 @@ function keysOf(host: KeyHost): Key[] {
 export function showKeys(host: KeyHost): void {
   showDialog("Keys and mouse", [
     ["mouse", `${mouseHelp[host.style()]}; wheel zooms`], ["Ctrl + drag", "moves the chosen row of lamps in its plane"],
-    ["click", "place, normal and radii; on a seam its verdict"], ["arrows", "turn; with Shift pan; with Ctrl move the row"],
+    ["Ctrl + Shift + drag", "turns the section plane"],
+    ["click", "place, normal and radii; on a seam its verdict"], ["arrows", "turn; with Shift pan; with Ctrl move the row; with both turn the section"],
     ...keysOf(host).map(({ key, words }) => [key, words] as const),
   ]);
 }
@@ -54,7 +58,8 @@ export function listenToKeys(canvas: HTMLCanvasElement, host: KeyHost): void {
     if (does && (event.ctrlKey || event.metaKey)) return;
     event.preventDefault();
     if (does) return does();
-    act(host, event.ctrlKey ? "lamps" : event.shiftKey ? "pan" : "orbit", ...way);
-    host.changed(!event.ctrlKey, true);
+    const action = event.ctrlKey ? event.shiftKey ? "section" : "lamps" : event.shiftKey ? "pan" : "orbit";
+    act(host, action, ...way);
+    if (action !== "section") host.changed(action !== "lamps", true);
   };
 }

@@ -1,7 +1,7 @@
 import { Note } from "./analysis";
 import { Camera } from "./camera";
 import { Plane } from "./facts";
-import { directionOf, directionWord, lookOf, StatedLook, wordOf } from "./look_words";
+import { directionOf, directionWord, hasSections, lookOf, StatedLook, wordOf } from "./look_words";
 import { token } from "./server";
 import { Vector } from "./vector";
 
@@ -16,6 +16,7 @@ export interface ViewState {
   hidden: number[];       // faces that are not shown
   section: string;        // "y=120", or "" for none
   seams: boolean;         // drawn over the picture
+  lines: boolean;         // those of the lamps, drawn over the picture
   notes: Note[];
 }
 
@@ -74,14 +75,15 @@ export function keepInAddress(state: ViewState): void {
   history.replaceState(null, "", `#${fragmentOf(state)}`);
 }
 
-function fragmentOf({ camera, look, planes, hidden, section, seams, notes }: ViewState): URLSearchParams {
+function fragmentOf({ camera, look, planes, hidden, section, seams, lines, notes }: ViewState): URLSearchParams {
   const fragment = new URLSearchParams({ ...eyeTexts(camera), look: wordOf(look) });
-  if (look.look === "curvature" && look.kind === "section") fragment.set("across", directionWord(look.across));
+  if (hasSections(look)) fragment.set("across", directionWord(look.across));
   for (const plane of planes ?? []) fragment.append("row", rowText(plane));
   if (planes?.length === 0) fragment.append("rows", "none");
   if (hidden.length > 0) fragment.append("hidden", hidden.join(","));
   if (section) fragment.append("section", section);
   if (seams) fragment.set("seams", "shown");
+  if (lines) fragment.set("lines", "shown");
   for (const note of notes) fragment.append("note", noteText(note));
   return fragment;
 }
@@ -89,14 +91,13 @@ function fragmentOf({ camera, look, planes, hidden, section, seams, notes }: Vie
 /** The state that the page's address has; null without one, or with one that makes no sense. */
 export function stateOfAddress(): ViewState | null {
   const given = new URLSearchParams(location.hash.slice(1)), rows = given.getAll("row").map(rowOf);
-  const camera = eyeOf(given), look = lookOf(given.get("look") ?? ""), hidden = numbersOf(given.get("hidden"));
+  const camera = eyeOf(given), look = lookOf(given.get("look") ?? "", directionOf(given.get("across") ?? "") ?? undefined), hidden = numbersOf(given.get("hidden"));
   const notes = given.getAll("note").map(noteOf);
   if (!camera || !look || !hidden || rows.includes(null) || notes.includes(null)) return null;
-  const across = directionOf(given.get("across") ?? "") ?? look.across;
   const isOwn = rows.length > 0 || given.get("rows") === "none";
   return {
-    camera, look: { ...look, across }, planes: isOwn ? rows as Plane[] : null, hidden, section: given.get("section") ?? "",
-    seams: given.get("seams") === "shown", notes: notes as Note[],
+    camera, look, planes: isOwn ? rows as Plane[] : null, hidden, section: given.get("section") ?? "",
+    seams: given.get("seams") === "shown", lines: given.get("lines") === "shown", notes: notes as Note[],
   };
 }
 

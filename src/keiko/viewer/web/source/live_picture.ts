@@ -34,6 +34,7 @@ export class LivePicture {
   private readonly tracing: Tracing;
   private white = 0;
   private fullCurvature = 1e-3;
+  private radii: [number, number] = [1, 1000];
   private frame = 0;
   private spent = 0; // ms of work since the last frame
   private turn = 0;  // of the changes: work for an earlier one is out of date
@@ -50,7 +51,7 @@ export class LivePicture {
   }
 
   display(): Display {
-    return { ...this.host.look(), planes: this.host.pictured().planes, white: this.white || 1, fullCurvature: this.fullCurvature };
+    return { ...this.host.look(), planes: this.host.pictured().planes, white: this.white || 1, fullCurvature: this.fullCurvature, radii: this.radii };
   }
 
   /** The surface at a pixel, if there is one. */
@@ -118,10 +119,11 @@ export class LivePicture {
     return false;
   }
 
-  /** Takes white or the scale of curvature from the picture as it is drawn. */
+  /** Takes white or the scale of curvatures or radii from the picture as it is drawn. */
   measure(): void {
     const stated = this.host.look(), { look } = stated;
     if (look === "curvature") this.fullCurvature = this.picture.usualCurvature(stated);
+    if (look === "radius") this.radii = this.picture.usualRadii();
     if (look === "lamps") this.white = this.picture.whiteOf();
   }
 

@@ -7,7 +7,7 @@ import { difference, dot, scaled, sum, unit, Vector } from "./vector";
 import { axesOf } from "./camera";
 
 /** What is shown of a surface besides the lamps that it mirrors. */
-export const surfaceLooks = ["zebra", "isophotes", "highlight lines", "curvature", "draft", "faces"] as const;
+export const surfaceLooks = ["zebra", "isophotes", "highlight lines", "curvature", "radius", "draft", "faces"] as const;
 export type SurfaceLook = typeof surfaceLooks[number];
 
 /** Scales of the looks. */
@@ -15,6 +15,7 @@ export interface LookScale {
   kind: CurvatureKind;   // that the look of curvature shows
   across: Vector;        // normal of the planes of its sections
   fullCurvature: number; // at which its colours are full
+  radii: [number, number]; // mm, between which those of the radius change
   planes: Plane[];       // whose highlight lines are shown
 }
 
@@ -41,6 +42,7 @@ function colorOf(look: SurfaceLook, buffer: SurfaceBuffer, scale: LookScale): Co
     case "isophotes": return bands(buffer, (path) => 2 * angleToVertical(normalOf(buffer, path)) / 5);
     case "highlight lines": return bands(buffer, highlightPhase(buffer, scale.planes.map((plane) => new RowFrame(plane))));
     case "curvature": return curvatureColor(buffer, scale);
+    case "radius": return radiusColor(buffer, scale);
     case "draft": return draftColor(buffer);
     case "faces": return (path) => faceColor(faceOf(buffer, path));
   }
@@ -133,9 +135,29 @@ export function curvatureOf({ kind, across }: Pick<LookScale, "kind" | "across">
   }
 }
 
-/** Colours between two signs; of what has none those of a rainbow. */
+/** The larger principal curvature by size, 1/mm: the inverse of the smallest radius. */
+export function sharpestOf({ principal: [larger, smaller] }: Surface): number {
+  return Math.max(Math.abs(larger), Math.abs(smaller));
+}
+
+/** The colour of a share of the smallest radius' logarithmic scale, red where it is small. */
+export const radiusColorAt = (share: number): Rgb => rainbow(1 - share);
+
+/** The colour of a curvature as a share of that of full colour: between two signs, or of what has none those of a rainbow. */
+export const curvatureColorAt = (kind: CurvatureKind): (share: number) => Rgb => kind === "absolute" ? rainbow : signedColor;
+
+/** The smallest radius by colour; workflow/radius_picture. */
+function radiusColor(buffer: SurfaceBuffer, { radii: [low, high] }: LookScale): Color {
+  return (path) => {
+    const surface = buffer.surfaceOf(path), k = sharpestOf(surface);
+    if (surface.face < 0) return ground;
+    if (Number.isNaN(k)) return unknown;
+    return radiusColorAt(k > 0 ? Math.log(1 / k / low) / Math.log(high / low) : 1);
+  };
+}
+
 function curvatureColor(buffer: SurfaceBuffer, { kind, across, fullCurvature }: LookScale): Color {
-  const colorAt = kind === "absolute" ? rainbow : signedColor;
+  const colorAt = curvatureColorAt(kind);
   return (path) => {
     const surface = buffer.surfaceOf(path);
     if (surface.face < 0 && kind === "absolute") return ground;

@@ -24,6 +24,9 @@ export function wordOf({ look, kind }: StatedLook, fullCurvature?: number): stri
   return `curvature:${kind}${fullCurvature ? `=${fullCurvature}` : ""}`;
 }
 
+/** True for the curvature of sections, whose planes have a direction. */
+export const hasSections = ({ look, kind }: StatedLook): boolean => look === "curvature" && kind === "section";
+
 /** The word of a direction, which `keiko render --section` takes. */
 export const directionWord = (across: Vector): string => across.map((x) => Number(x.toPrecision(9))).join(",");
 
@@ -33,10 +36,10 @@ export function directionOf(word: string): Vector | null {
   return parts.length === 3 && parts.every(Number.isFinite) && parts.some((part) => part !== 0) ? parts as Vector : null;
 }
 
-/** The look of a word; null if this page draws none of that name. */
-export function lookOf(word: string): StatedLook | null {
+/** The look of a word, sections with a normal of their planes; null if this page draws none of that name. */
+export function lookOf(word: string, across: Vector = usual.across): StatedLook | null {
   const kind = curvatureKinds.find((name) => word.split("=")[0] === `curvature:${name}`);
-  if (kind) return { ...usual, look: "curvature", kind };
+  if (kind) return { look: "curvature", kind, across };
   const look = looks.find((name) => name !== "curvature" && (words[name] ?? name) === word);
   return look ? { ...usual, look } : null;
 }

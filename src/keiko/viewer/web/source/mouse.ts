@@ -2,17 +2,17 @@
 export const mouseStyles = ["Keiko", "Alias", "CATIA", "SolidWorks", "Blender"] as const;
 export type MouseStyle = typeof mouseStyles[number];
 
-export type MouseAction = "orbit" | "pan" | "zoom" | "lamps" | "none";
+export type MouseAction = "orbit" | "pan" | "zoom" | "lamps" | "section" | "none";
 
 /** The part of a mouse event that an action depends on. */
 export type MouseKeys = Pick<PointerEvent, "buttons" | "shiftKey" | "ctrlKey" | "metaKey" | "altKey">;
 
 const left = 1, right = 2, middle = 4;
 
-/** What a drag does. With Ctrl the left button drags the chosen row of lamps in every style. */
+/** What a drag does. With Ctrl the left button drags the chosen row of lamps in every style, with Shift, too, the section. */
 export function mouseAction(style: MouseStyle, event: MouseKeys): MouseAction {
   const { buttons, shiftKey, ctrlKey, metaKey, altKey } = event, hasControl = ctrlKey || metaKey;
-  if (buttons === left && hasControl) return "lamps";
+  if (buttons === left && hasControl) return shiftKey ? "section" : "lamps";
   switch (style) {
     case "Keiko": return buttons & (right | middle) || shiftKey ? "pan" : "orbit";
     case "Alias": return !altKey || !shiftKey ? "none" : buttons & left ? "orbit" : buttons & middle ? "pan" : "zoom";

@@ -29,6 +29,18 @@ export function pickedText(ending: string): Promise<string> {
   });
 }
 
+/** Fills a list with entries, the first of them at once and the others on request; `words` names how many are left. */
+export function longList<Item>(into: HTMLElement, items: Item[], entry: (item: Item) => HTMLElement, atOnce: number,
+  words: (left: number) => string): HTMLElement {
+  into.append(...items.slice(0, atOnce).map(entry));
+  if (items.length <= atOnce) return into;
+  const more = button(words(items.length - atOnce), () => {
+    into.append(...items.slice(atOnce).map(entry));
+    more.remove();
+  });
+  return element("div", [into, more]);
+}
+
 /** Buttons of which one is pressed. */
 export function choice(into: HTMLElement, names: readonly string[], pressed: string, choose: (name: string) => void): void {
   into.replaceChildren(...names.map((name) => {

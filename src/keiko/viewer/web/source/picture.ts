@@ -2,12 +2,13 @@ import { Camera, rayOf } from "./camera";
 import { Facts, Plane } from "./facts";
 import { Mirrors } from "./fresnel";
 import { LampLight } from "./lamp_light";
-import { curvatureOf, lookColors, SurfaceLook, surfaceLooks } from "./look_colors";
+import { curvatureOf, lookColors, sharpestOf, SurfaceLook, surfaceLooks } from "./look_colors";
 import { CurvatureKind, StatedLook } from "./look_words";
 import { rayNumbers } from "./ray";
 import { RowFrame } from "./row_frame";
 import { SurfaceBuffer } from "./surface_buffer";
 import { Sight } from "./sight";
+import { Surface } from "./surface";
 import { scaled, sum, Vector } from "./vector";
 
 export const looks = ["lamps", ...surfaceLooks] as const;
@@ -21,6 +22,7 @@ export interface Display {
   planes: Plane[];
   white: number;         // cd/m2 that is shown as white
   fullCurvature: number; // 1/mm, of a Gaussian one 1/mm2, at which colours are full
+  radii: [number, number]; // mm, between which colours of the radius change
 }
 
 /** A surface at a pixel's centre. */
@@ -107,14 +109,27 @@ export class Picture {
 
   /** The round curvature of a look that 2 % of the body's picture exceed. */
   usualCurvature(look: StatedLook): number {
-    const { buffer } = this, sizes: number[] = [];
+    const sizes = this.bodyValues((surface) => Math.abs(curvatureOf(look, surface)));
+    return roundUp(quantile(Float64Array.from(sizes), 0.98) || 1e-3);
+  }
+
+  /** Round radii, mm, between which lie all but 2 % of the body's picture on either side; workflow/radius_picture. */
+  usualRadii(): [number, number] {
+    const flat = 1e6; // mm: larger ones have no part
+    const radii = Float64Array.from(this.bodyValues(sharpestOf).filter((k) => k * flat > 1), (k) => 1 / k);
+    if (radii.length === 0) return [1, 1000];
+    const low = 1 / roundUp(1 / quantile(radii, 0.02));
+    return [low, Math.max(roundUp(quantile(radii, 0.98)), 10 * low)];
+  }
+
+  /** A value of each path that sees the body, where it is known. */
+  private bodyValues(value: (surface: Surface) => number): number[] {
+    const { buffer } = this, values: number[] = [];
     for (let path = 0; buffer && path < buffer.paths; ++path) {
-      const surface = buffer.surfaceOf(path);
-      const curvature = surface.face > 0 ? curvatureOf(look, surface) : NaN;
-      if (!Number.isNaN(curvature)) sizes.push(Math.abs(curvature));
+      const surface = buffer.surfaceOf(path), known = surface.face > 0 ? value(surface) : NaN;
+      if (!Number.isNaN(known)) values.push(known);
     }
-    const value = quantile(Float64Array.from(sizes), 0.98) || 1e-3, power = 10 ** Math.floor(Math.log10(value));
-    return Number((power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
+    return values;
   }
 
   /** The path of a pixel, or of the nearest above that is there; -1 without one. */
@@ -203,6 +218,12 @@ export class Picture {
     for (let y = 0; y < height; ++y)
       if (y % rowStep !== 0) this.words.copyWithin(y * width, (y - y % rowStep) * width, (y - y % rowStep + 1) * width);
   }
+}
+
+/** The round number, 1, 2 or 5 times a power of ten, at or above a positive value. */
+function roundUp(value: number): number {
+  const power = 10 ** Math.floor(Math.log10(value));
+  return Number((power * ([1, 2, 5].find((step) => value <= step * power * (1 + 1e-9)) ?? 10)).toPrecision(1));
 }
 
 /** The value that a share of the values does not exceed; 0 without any. */

@@ -10,6 +10,8 @@ export interface PointerHost {
   setCamera(camera: Camera): void;
   /** Something has moved: the eye, or lamps. `isOver`: no more of this drag will come. */
   changed(isEye: boolean, isOver: boolean): void;
+  /** The section is turned by a drag of the picture by pixels. */
+  turnSection(x: number, y: number): void;
   /** A click on a pixel of the picture. */
   pick(x: number, y: number): void;
 }
@@ -21,6 +23,7 @@ const threshold = 3; // px that a click may move
 export function act(host: PointerHost, action: MouseAction, x: number, y: number): void {
   const camera = host.camera();
   if (action === "lamps") host.lamps.drag(x, y);
+  if (action === "section") return host.turnSection(x, y);
   if (action === "pan") host.setCamera(panned(camera, x, y));
   if (action === "zoom") host.setCamera(dollied(camera, Math.exp(y / 200)));
   if (action === "orbit") host.setCamera(orbited(camera, camera.target, -x / 200, -y / 200));
@@ -58,20 +61,20 @@ export class Pointer {
     const x = event.clientX - drag.x, y = event.clientY - drag.y;
     if (!drag.moved && Math.hypot(x, y) < threshold) return;
     // A second button changes what CATIA's middle one does.
-    if (drag.action !== "lamps") drag.action = mouseAction(host.style(), event);
+    if (drag.action !== "lamps" && drag.action !== "section") drag.action = mouseAction(host.style(), event);
     if (drag.action === "none") return;
     const scale = host.camera().height / this.canvas.clientHeight, pixel = this.pixel(event);
     if (drag.action === "lamps") host.lamps.follow(drag.pixel, pixel);
     else act(host, drag.action, x * scale, y * scale);
     Object.assign(drag, { x: event.clientX, y: event.clientY, pixel, moved: true });
-    host.changed(drag.action !== "lamps", false);
+    if (drag.action !== "section") host.changed(drag.action !== "lamps", false);
   }
 
   private release(event: PointerEvent): void {
     const { drag } = this;
     this.drag = null;
-    if (drag?.moved) return this.host.changed(drag.action !== "lamps", true);
-    if (event.button === 0) this.host.pick(...this.pixel(event));
+    if (drag?.moved && drag.action !== "section") return this.host.changed(drag.action !== "lamps", true);
+    if (!drag?.moved && event.button === 0) this.host.pick(...this.pixel(event));
   }
 
   private wheel(event: WheelEvent): void {

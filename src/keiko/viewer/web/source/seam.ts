@@ -1,7 +1,8 @@
+import { Measured, measureLine } from "./measured";
 import { Vector } from "./vector";
 
-/** A quantity of a seam at its worst place; without a limit and a verdict where it is not judged. */
-export interface Measured { value: number; bound: number; limit: number | null; verdict: string | null; place: Vector }
+/** A quantity of a seam at its worst place. */
+interface SeamMeasured extends Measured { place: Vector }
 
 /** A stretch of a seam in keiko-inspection/1, as far as the page shows it. */
 export interface Seam {
@@ -15,15 +16,15 @@ export interface Seam {
   length: number;
   middle: Vector;
   course: Vector[][]; // piece by piece
-  gap: Measured;
-  angle: Measured | null;
-  curvature: Measured | null;
-  curvature_slope: Measured | null;
-  fading: Measured | null;
+  gap: SeamMeasured;
+  angle: SeamMeasured | null;
+  curvature: SeamMeasured | null;
+  curvature_slope: SeamMeasured | null;
+  fading: SeamMeasured | null;
 }
 
 /** What is judged of a seam. `mending`: the word of the quantity in faults; `shown`: of 1 of its unit. */
-interface Continuity { label: string; name: string; mending: string; of: (seam: Seam) => Measured | null; unit: string; shown: number }
+interface Continuity { label: string; name: string; mending: string; of: (seam: Seam) => SeamMeasured | null; unit: string; shown: number }
 
 const continuities: Continuity[] = [
   { label: "G0", name: "gap", mending: "position", of: (seam) => seam.gap, unit: "\u00a0mm", shown: 1 },
@@ -46,9 +47,7 @@ export function worstPlace(seam: Seam): Vector {
 /** A line of words for each quantity of a seam, with the class of its verdict. */
 export function measures(seam: Seam): { words: string; verdict: string }[] {
   return continuities.flatMap(({ label, name, of, unit, shown }) => {
-    const measured = of(seam), digits = (value: number): string => `${Number((shown * value).toPrecision(3))}${unit}`;
-    if (!measured) return [];
-    const limit = measured.limit === null ? "not judged" : `limit ${digits(measured.limit)}`;
-    return [{ words: `${label} ${name} ${digits(measured.value)}, ${limit}`, verdict: measured.verdict ?? "soft" }];
+    const measured = of(seam);
+    return measured ? [measureLine(`${label} ${name}`, measured, unit, shown)] : [];
   });
 }

@@ -5,6 +5,7 @@ import { Projection } from "./projection";
 import { failing, Seam, worstPlace } from "./seam";
 import { Sight } from "./sight";
 import { Vector } from "./vector";
+import { drawLabels, verdictColors } from "./verdict_marks";
 
 /** What the lines ask of the page. */
 export interface SeamLinesHost {
@@ -20,9 +21,8 @@ interface DrawnSeam { seam: Seam; lines: (Point | null)[][]; label: { text: stri
 
 const reach = 6;  // px between a click and the seam that it means
 const step = 4;   // px from one place to the next that is looked at
-const apart = 16; // px between labels
-const colors: Record<string, string> = { scrap: "#9aa4ad", pass: "#4cd964", undecided: "#ffb300", fail: "#ff4a4a" };
-const styleOf = (seam: Seam): string => seam.scrap ? "scrap" : seam.verdict;
+const order = Object.keys(verdictColors);
+const styleOf = (seam: Seam): string => seam.scrap ? "none" : seam.verdict;
 
 /** The visible parts of seams over the picture, coloured by verdict; what fails is named at its worst place. */
 export class SeamLines {
@@ -56,30 +56,16 @@ export class SeamLines {
   private draw(context: CanvasRenderingContext2D, camera: Camera): void {
     const sight = this.host.sight(), hidden = new Set(this.host.hidden());
     if (!sight) return;
-    const found = new VisibleCurves(camera, sight), order = Object.keys(colors);
+    const found = new VisibleCurves(camera, sight);
     this.drawn = this.seams.filter(({ face_ids: [a, b] }) => !hidden.has(a) || !hidden.has(b))
       .map((seam) => ({ seam, lines: seam.course.map((piece) => found.curve(piece)), label: labelOf(seam, found) }))
       .sort((a, b) => order.indexOf(styleOf(a.seam)) - order.indexOf(styleOf(b.seam)));
     for (const style of order) {
       const lines = this.drawn.filter(({ seam }) => styleOf(seam) === style).flatMap((seam) => seam.lines);
       strokeAll(context, lines, "#000", 3);
-      strokeAll(context, lines, colors[style], 1.5);
+      strokeAll(context, lines, verdictColors[style], 1.5);
     }
-    this.drawLabels(context);
-  }
-
-  private drawLabels(context: CanvasRenderingContext2D): void {
-    const placed: Point[] = [];
-    Object.assign(context, { font: "bold 12px sans-serif", textAlign: "center", textBaseline: "middle" });
-    for (const { label } of this.drawn) {
-      if (!label || placed.some(([x, y]) => Math.hypot(x - label.at[0], y - label.at[1]) < apart)) continue;
-      const [x, y] = label.at, half = context.measureText(label.text).width / 2 + 3, high = 8;
-      context.fillStyle = "#000c";
-      context.fillRect(x - half, y - high, 2 * half, 2 * high);
-      context.fillStyle = colors.fail;
-      context.fillText(label.text, x, y + 0.5);
-      placed.push(label.at);
-    }
+    drawLabels(context, this.drawn.flatMap(({ label }) => label ?? []), verdictColors.fail);
   }
 }
 

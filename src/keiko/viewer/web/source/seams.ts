@@ -1,5 +1,5 @@
 import { Host } from "./host";
-import { button, element } from "./panel";
+import { button, element, longList } from "./panel";
 import { Profile, profilePlot } from "./profile_plot";
 import { failing, measures, Seam, worstPlace } from "./seam";
 import { SeamLines, SeamLinesHost } from "./seam_lines";
@@ -79,13 +79,7 @@ export class SeamsPanel {
   /** The seams in their order; many that pass on request. */
   private list(seams: Seam[]): HTMLElement {
     const faulty = seams.filter((seam) => seam.verdict !== "pass").length, first = Math.max(faulty, atOnce);
-    const shown = element("table", seams.slice(0, first).map((seam) => this.entry(seam))), left = seams.slice(first);
-    if (left.length === 0) return shown;
-    const more = button(`${left.length} more, which pass`, () => {
-      shown.append(...left.map((seam) => this.entry(seam)));
-      more.remove();
-    });
-    return element("div", [shown, more]);
+    return longList(element("table"), seams, (seam) => this.entry(seam), first, (left) => `${left} more, which pass`);
   }
 
   private entry(seam: Seam): HTMLElement {
@@ -97,7 +91,7 @@ export class SeamsPanel {
   }
 
   private flyTo(seam: Seam): void {
-    this.host.flyTo(worstPlace(seam));
+    this.host.flyTo(worstPlace(seam), seam.length);
     this.host.mark(worstPlace(seam), seam.course);
     this.choose(seam);
   }

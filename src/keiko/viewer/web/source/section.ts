@@ -1,74 +1,44 @@
-import { Camera } from "./camera";
-import { EyeOverlay } from "./eye_overlay";
 import { Host } from "./host";
 import { element } from "./panel";
-import { Point, stroke } from "./polyline";
-import { Projection } from "./projection";
+import { axes, facingPlane, heightsOf, middlePlane, outlineOf, planeOf, planeWords, SectionPlane, turnedPlane } from "./section_plane";
+import { Curve, SectionCurves, summaryOf } from "./section_curves";
 import { ask } from "./server";
-import { difference, length, scaled, sum, Vector } from "./vector";
+import { difference, length } from "./vector";
 
-/** A curve of keiko-combs/1, as far as the page draws it. */
-interface Curve {
-  length: number;
-  largest_curvature: { value: number };
-  pieces: { samples: { place: Vector; curvature: number; towards: Vector }[] }[];
-}
+const free = "free"; // the name of a plane across no axis
+const perPixel = 1 / 200; // radians by which a drag turns the plane
 
-/** The longest tooth of a comb, as a share of the body's size. */
-const longestTooth = 0.06;
-
-/** Draws curves with their combs as an eye sees them. */
-function drawCombs(context: CanvasRenderingContext2D, camera: Camera, curves: Curve[], size: number): void {
-  const projection = new Projection(camera);
-  const place = (at: Vector): Point | null => projection.set(at) ? [projection.x, projection.y] : null;
-  const bent = Math.max(...curves.map((curve) => Math.abs(curve.largest_curvature.value)), 1e-12);
-  const tooth = longestTooth * size / bent;
-  for (const { pieces } of curves)
-    for (const { samples } of pieces) {
-      const foot = samples.map((s) => place(s.place));
-      const tip = samples.map((s) => place(sum(s.place, scaled(s.towards, -s.curvature * tooth))));
-      context.strokeStyle = "#3ad0ff88";
-      foot.forEach((from, i) => stroke(context, [from, tip[i]]));
-      stroke(context, tip);
-      context.strokeStyle = "#ffd23a";
-      stroke(context, foot);
-    }
-}
-
-function summary(curves: Curve[], plane: string): string {
-  if (curves.length === 0) return `${plane} misses the body`;
-  const long = curves.reduce((all, curve) => all + curve.length, 0);
-  const bent = Math.max(...curves.map((curve) => Math.abs(curve.largest_curvature.value)));
-  return `${plane}: ${long.toFixed(1)} mm, radii from ${(1 / bent).toPrecision(4)} mm`;
-}
-
-const axes = ["x", "y", "z"];
-
-/** A plane across an axis, moved by a slider, or one of an analysis; its exact section with the curvature comb. */
+/** A plane that is moved by a slider, and turned by numbers or by hand; its exact section with the curvature comb. */
 export class SectionPanel {
   private readonly choice = element("select", "", { ariaLabel: "axis" }) as HTMLSelectElement;
-  private readonly slider = element("input", "", { type: "range", ariaLabel: "position", step: "any", disabled: true }) as HTMLInputElement;
+  private readonly normal = element("input", "", { ariaLabel: "normal of the section", size: 22 }) as HTMLInputElement;
+  private readonly slider = element("input", "", { type: "range", ariaLabel: "position", step: "any" }) as HTMLInputElement;
+  private readonly height = element("input", "", { type: "number", ariaLabel: "position in mm", step: "any" }) as HTMLInputElement;
+  private readonly turning = element("p", [this.normal]);
+  private readonly moving = element("p", [this.slider, this.height]);
   private readonly text = element("p");
-  private readonly overlay: EyeOverlay;
-  private curves: Curve[] = [];
+  private readonly curves: SectionCurves;
+  private words = ""; // of the plane
+  private shown: SectionPlane | null = null;
   private kept: string[] = []; // planes of an analysis
-  private running = new AbortController();
+  private isCutting = false;
 
   constructor(into: HTMLElement, private readonly host: Host, picture: HTMLElement) {
-    const { lower, upper } = host.facts.bounds, size = length(difference(upper, lower));
-    this.overlay = new EyeOverlay("section-lines", picture, () => host.camera(),
-      (context, camera) => drawCombs(context, camera, this.curves, size));
+    const { bounds: { lower, upper } } = host.facts;
+    this.curves = new SectionCurves(picture, () => host.camera(), length(difference(upper, lower)));
     this.choice.onchange = () => this.choose(this.choice.value);
-    this.slider.oninput = () => void this.cut();
-    into.replaceChildren(this.choice, this.slider, this.text);
+    this.normal.onchange = () => this.face(this.normal.value);
+    this.slider.oninput = () => this.move(Number(this.slider.value));
+    this.height.onchange = () => this.move(Number(this.height.value));
+    into.replaceChildren(this.choice, this.turning, this.moving, this.text,
+      element("p", "Ctrl + Shift + drag on the picture turns the plane", { className: "soft" }));
     this.offer([]);
+    this.present("none");
   }
 
-  /** The plane that is shown, "y=120", or "". */
+  /** The words of the plane that is shown, or "". */
   get plane(): string {
-    const { value } = this.choice;
-    if (value === "none") return "";
-    return axes.includes(value) ? `${value}=${Number(this.slider.value).toFixed(2)}` : value;
+    return this.words;
   }
 
   /** The plane that is shown, and those of the analysis. */
@@ -82,46 +52,83 @@ export class SectionPanel {
     this.show(planes[0] ?? "");
   }
 
-  /** Shows a plane; "": none. */
-  show(plane: string): void {
-    const [axis, at] = plane.split("=");
-    if (plane && !axes.includes(axis) && !this.kept.includes(plane)) this.offer([...this.kept, plane]);
-    if (!axes.includes(axis)) return this.choose(plane || "none");
-    this.choose(axis, Number(at));
+  /** Shows a plane by its words; none for others. */
+  show(words: string): void {
+    const plane = planeOf(words);
+    this.set(plane, plane ? words : "");
+  }
+
+  /** Turns the plane about its middle on the body, as a drag by pixels on the picture; without one, a plane across y. */
+  turn(x: number, y: number): void {
+    this.set(turnedPlane(this.shown ?? this.across("y"), this.host.camera(), x * perPixel, y * perPixel, this.host.facts.bounds));
   }
 
   private offer(kept: string[]): void {
     this.kept = kept;
-    this.choice.replaceChildren(...["none", ...axes, ...kept].map((name) => element("option", name)));
+    this.choice.replaceChildren(...["none", ...Object.keys(axes), free, ...kept].map((name) => element("option", name)));
   }
 
-  private choose(name: string, position?: number): void {
-    const { lower, upper } = this.host.facts.bounds, at = axes.indexOf(name);
+  private choose(name: string): void {
+    if (name === free) this.set(this.shown ?? this.across("y"), undefined, free);
+    else if (axes[name]) this.set(this.across(name));
+    else this.show(name);
+  }
+
+  /** The plane across an axis through the middle of the body. */
+  private across(axis: string): SectionPlane {
+    return middlePlane(axis, this.host.facts.bounds);
+  }
+
+  private move(height: number): void {
+    if (this.shown && Number.isFinite(height)) this.set({ ...this.shown, height });
+  }
+
+  /** Turns the plane about its middle on the body to a direction. */
+  private face(facing: string): void {
+    const faced = this.shown && facingPlane(this.shown, facing.replace(/\s/g, ""), this.host.facts.bounds);
+    this.set(faced ?? this.shown, undefined, free);
+  }
+
+  private set(plane: SectionPlane | null, words = plane ? planeWords(plane) : "", name = !plane ? "none" : axes[plane.facing] ? plane.facing : free): void {
+    this.shown = plane;
+    this.words = words;
+    this.present(name);
+    if (!this.isCutting) void this.cut();
+  }
+
+  /** Shows the plane's numbers, and what changes them. */
+  private present(name: string): void {
+    const { shown } = this;
     this.choice.value = name;
-    this.slider.disabled = at < 0;
-    if (at >= 0) {
-      Object.assign(this.slider, { min: String(lower[at]), max: String(upper[at]) });
-      this.slider.value = String(position ?? (lower[at] + upper[at]) / 2);
-    }
-    void this.cut();
+    this.turning.hidden = name !== free;
+    this.moving.hidden = shown === null;
+    if (!shown) return;
+    const [min, max] = heightsOf(this.host.facts.bounds, shown.normal);
+    Object.assign(this.slider, { min: String(min), max: String(max) });
+    this.slider.value = String(shown.height);
+    this.height.value = shown.height.toFixed(2);
+    this.normal.value = axes[shown.facing]?.join(",") ?? shown.facing;
   }
 
-  private draw(curves: Curve[], summary: string): void {
-    this.curves = curves;
-    this.overlay.show(curves.length > 0);
-    this.text.textContent = summary;
-    this.host.keep();
-  }
-
+  /** Cuts the body by the plane; again and again while that moves on. */
   private async cut(): Promise<void> {
-    this.running.abort();
-    const own = this.running = new AbortController(), { plane } = this;
-    if (!plane) return this.draw([], "");
+    this.isCutting = true;
     try {
-      const { curves } = await (await ask("POST", "/section", plane, own.signal)).json();
-      if (!own.signal.aborted) this.draw(curves, summary(curves, plane));
+      for (let cut: string | null = null; cut !== this.words;) {
+        cut = this.words;
+        const curves: Curve[] = cut ? (await (await ask("POST", "/section", cut)).json()).curves : [];
+        this.draw(curves, cut);
+      }
+      this.host.keep(); // browsers allow few changes of the address a second
     } catch (error) {
-      if (!own.signal.aborted) this.host.fail(error);
+      this.draw([], "");
+      this.host.fail(error);
     }
+    this.isCutting = false;
+  }
+
+  private draw(curves: Curve[], words: string): void {
+    this.curves.show(curves, this.shown ? outlineOf(this.shown, this.host.facts.bounds) : []);
+    this.text.textContent = words ? summaryOf(curves, words) : "";
   }
 }

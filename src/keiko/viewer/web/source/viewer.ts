@@ -6,10 +6,12 @@ import { Pictured } from "./exact_picture";
 import { Facts, Plane } from "./facts";
 import { Gizmo } from "./gizmo";
 import { listenToKeys } from "./keys";
+import { LampLinesPanel } from "./lamp_lines_panel";
 import { LampRows, RowsHost } from "./lamp_rows";
 import { showLamps } from "./lamps_panel";
 import { keepInAddress, stateOfAddress, ViewState } from "./link";
 import { LivePicture, PicturedHost } from "./live_picture";
+import { LookLegend } from "./look_legend";
 import { firstLook, lookOf, StatedLook } from "./look_words";
 import { Marks } from "./marks";
 import { mouseHelp, MouseStyle, mouseStyles } from "./mouse";
@@ -36,7 +38,9 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
   private readonly gizmo: Gizmo;
   private readonly section: SectionPanel;
   private readonly places: PickPanel;
+  private readonly legend = new LookLegend(byId("legend"));
   private readonly seams: SeamsPanel;
+  private readonly lines: LampLinesPanel;
   private readonly comparison: Comparison;
   private readonly tree: Tree;
   private readonly marks: Marks;
@@ -53,6 +57,7 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
     this.places = new PickPanel(this);
     this.comparison = new Comparison(byId("compare"), this, canvas);
     this.seams = new SeamsPanel(byId("seams"), this, canvas);
+    this.lines = new LampLinesPanel(byId("lines"), this, canvas);
     this.tree = new Tree(byId("tree"), this);
     this.marks = new Marks(canvas, () => this.eye);
     this.analysis = new AnalysisPanel(byId("analysis"), this, canvas);
@@ -84,7 +89,7 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
   rowAt(x: number, y: number): number { return this.picture.rowAt(x, y, this.lamps.all); }
   mirroredOn(x: number, y: number, plane: Plane): Vector | null { return this.picture.mirroredOn(x, y, plane); }
 
-  private restore({ camera, look, planes, hidden, section, seams, notes }: ViewState): void {
+  private restore({ camera, look, planes, hidden, section, seams, lines, notes }: ViewState): void {
     this.eye = { ...this.facts.camera, ...camera };
     this.lamps.take(planes ?? this.lamps.all);
     this.stated = look;
@@ -92,13 +97,14 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
     this.analysis.notes.show(notes);
     if (section) this.section.show(section);
     if (seams) void this.seams.show(true);
+    this.lines.show(lines);
   }
 
   take({ views: [first], sections, hidden, rig }: OpenedAnalysis): void {
     this.lamps.take(rig.planes);
     this.section.take(sections);
     if (first) this.eye = { ...this.eye, ...first.camera, width: this.eye.width, height: this.eye.height };
-    this.choose(lookOf(first?.look ?? "lamps") ?? this.stated);
+    this.choose(lookOf(first?.look ?? "lamps", first?.across) ?? this.stated);
     this.lamps.choose(0);
     this.hide(hidden);
   }
@@ -107,7 +113,8 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
     const { all } = this.lamps;
     return {
       camera: this.eye, look: this.stated, planes: all === this.facts.rig.planes ? null : all, hidden: this.left,
-      section: this.section.plane, seams: this.seams.shown, notes: this.analysis.notes.all,
+      section: this.section.plane, seams: this.seams.shown, lines: this.lines.shown,
+      notes: this.analysis.notes.all,
     };
   }
 
@@ -117,11 +124,13 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
 
   settled(): void {
     this.seams.update();
+    this.lines.settle();
     this.keep();
   }
 
   drawn(): void {
     this.gizmo.show(this.lamps.row, this.eye);
+    this.legend.show(this.display());
   }
 
   rowChosen(): void {
@@ -131,6 +140,7 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
 
   changed(isEye: boolean, isOver: boolean): void {
     this.picture.changed(isEye, isOver);
+    this.lines.outdate();
   }
 
   setCamera(camera: Camera): void {
@@ -142,15 +152,16 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
     this.changed(true, true);
   }
 
-  flyTo(place: Vector): void {
-    const near = length(difference(this.facts.bounds.upper, this.facts.bounds.lower)) / 2;
-    this.lookFrom(lookingAt(this.eye, place, near));
+  flyTo(place: Vector, long = Infinity): void {
+    const size = length(difference(this.facts.bounds.upper, this.facts.bounds.lower));
+    this.lookFrom(lookingAt(this.eye, place, Math.min(Math.max(3 * long, size / 20), size / 2)));
     this.mark(place);
   }
 
   pick(x: number, y: number): void {
     const picked = this.picture.pick(x, y);
     this.places.show(picked);
+    if (this.lines.pick(x, y)) return;
     const seam = picked && this.seams.pick(x, y);
     if (seam) this.mark(picked.place, seam.course);
     else this.marks.move(picked && picked.place);
@@ -173,7 +184,7 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
   choose(stated: StatedLook): void {
     this.stated = stated;
     this.showLooks();
-    if (stated.look === "curvature") this.picture.measure();
+    if (stated.look === "curvature" || stated.look === "radius") this.picture.measure();
     this.changed(false, true);
   }
 
@@ -197,6 +208,14 @@ export class Viewer implements PageHost, AnalysisHost, CompareHost, PickHost, Pi
 
   toggleSeams(): void {
     this.seams.toggle();
+  }
+
+  turnSection(x: number, y: number): void {
+    this.section.turn(x, y);
+  }
+
+  toggleLines(): void {
+    this.lines.toggle();
   }
 
   copyLink(): void {
