@@ -79,7 +79,14 @@ TEST(AreaTables, BadPanelsAreNamed) {
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]]\n"),
               at + "must lie in a plane");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [4, 0, 0], [1, 3, 0], [4, 2, 0]]\n"),
-              at + "sides cross each other");
+              at + "sides 2 and 4 cross each other");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [4, 0, 0], [4, 3, 0], [2, 0, 0], [0, 3, 0]]\n"),
+              at + "corner 4 lies on side 1");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 2, 0], [0, 4, 0], "
+                                  "[2, 2, 0]]\n"),
+              at + "corners 4 and 6 coincide");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [4, 0, 0], [4, 6, 0], [4, 4, 0], [0, 4, 0]]\n"),
+              at + "corner 4 lies on side 2"); // a spike
     EXPECT_EQ(rig_error(panel + "luminance = 1\nluminous_flux = 1\n"),
               "bad.toml:5:17: polygon[0].luminous_flux: give either luminance or luminous_flux, "
               "not both");

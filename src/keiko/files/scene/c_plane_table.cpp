@@ -108,18 +108,11 @@ CPlane c_plane_from(const TomlTable& table) {
     plane.diameter = table.number("diameter", TomlLimits::length()).value_or(plane.diameter);
     require_room(table, plane);
 
-    const auto luminance = table.rgb("luminance", TomlLimits::light());
-    const auto flux = table.number("luminous_flux", TomlLimits::light());
-    if (luminance && flux)
-        throw table.error("luminous_flux", "give either luminance or luminous_flux, not both");
-    if (luminance) plane.luminance = *luminance;
     if (const auto caps = table.choice("caps", {"dark", "luminous"}))
         plane.luminous_caps = *caps == 1;
-    if (flux)
-        plane.luminance =
-            Rgb(tube_luminance(*flux, plane.diameter, plane.u.length(), plane.luminous_caps));
-    plane.luminance *= color_of(table);
-    require_light(table, flux ? "luminous_flux" : "luminance", plane.luminance);
+    plane.luminance = luminance_from(table, plane.luminance, [&](double flux) {
+        return tube_luminance(flux, plane.diameter, plane.u.length(), plane.luminous_caps);
+    });
     take_lamp_models(table, plane);
     table.not_yet({"on", "reflector"});
     table.finish();

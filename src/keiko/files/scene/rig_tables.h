@@ -8,6 +8,7 @@
 #include "keiko/light/tubes/c_plane.h"
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,8 +45,17 @@ std::string table_text(const Luminaire& luminaire, const std::filesystem::path& 
 std::vector<Vec3> corners_from(const TomlTable& table);
 /// Throws Error at the corners unless they are 3 or more, in a plane, and enclose an area.
 void require_polygon(const TomlTable& table, const std::vector<Vec3>& corners);
+/// Throws Error at the corners unless they are a polygon of at most 1000, whose outline neither
+/// crosses nor touches itself. The message counts corners and sides from 1.
+void require_ring(const TomlTable& table, const std::vector<Vec3>& corners);
 /// The line of corners that reads back as the same.
 std::string corners_line(const std::vector<Vec3>& corners);
+
+/// Luminance in cd/m2 of a diffuse source, by `luminance`, or by `luminous_flux` in lm, for which
+/// `of_flux` returns it, times the color; `otherwise` if the table has neither. Throws Error with
+/// file, line and column.
+Rgb luminance_from(const TomlTable& table, const Rgb& otherwise,
+                   const std::function<double(double)>& of_flux);
 
 /// The panel of a [[polygon]]. Throws Error with file, line and column.
 PolygonLight polygon_light_from(const TomlTable& table);

@@ -1,5 +1,7 @@
 #include "keiko/geometry/seam/boundary_curves.h"
 
+#include "keiko/math/polygon.h"
+
 namespace keiko {
 namespace {
 
@@ -29,16 +31,6 @@ double signed_area(const Polygon& polygon) {
     return twice / 2;
 }
 
-bool inside(const Polygon& polygon, const Vec2& p) {
-    bool odd = false;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        if ((a.y > p.y) == (b.y > p.y)) continue;
-        if (p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) odd = !odd;
-    }
-    return odd;
-}
-
 Box2 box_of(const Polygon& polygon) {
     Box2 box;
     for (const Vec2& p : polygon) box.extend(p);
@@ -52,7 +44,7 @@ bool mostly_inside(const Polygon& inner, const Polygon& outer, const Box2& outer
     std::size_t votes = 0;
     for (std::size_t i = 0; i < voters; ++i) {
         const Vec2& p = inner[i * inner.size() / voters];
-        votes += outer_box.contains(p) && inside(outer, p);
+        votes += outer_box.contains(p) && holds(outer, p);
     }
     return 2 * votes > voters;
 }

@@ -1,5 +1,7 @@
 #include "keiko/import/cad/occt_face.h"
 
+#include "keiko/math/polygon.h"
+
 #include <BRep_Builder.hxx>
 #include <Geom2d_BezierCurve.hxx>
 #include <GeomAPI_Interpolate.hxx>
@@ -44,15 +46,7 @@ struct BorderLoop {
         return sum;
     }
     /// Whether a point lies within.
-    bool surrounds(const Vec2& p) const {
-        bool within = false;
-        for (std::size_t i = 0; i < polygon.size(); ++i) {
-            const Vec2 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-            if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y))
-                within = !within;
-        }
-        return within;
-    }
+    bool surrounds(const Vec2& p) const { return holds(polygon, p); }
 };
 
 /// The border of a rectangle, counter-clockwise.

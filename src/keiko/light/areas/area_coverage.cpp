@@ -2,7 +2,9 @@
 
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/math/axes.h"
+#include "keiko/math/bounds.h"
 #include "keiko/math/convex_clip.h"
+#include "keiko/math/polygon.h"
 
 #include <algorithm>
 #include <array>
@@ -12,15 +14,17 @@
 namespace keiko {
 namespace {
 
-/// Footprint of a pixel on a plane, in a frame of the plane about the centre's hit.
+/// Footprint of a pixel on a plane, in the plane's frame.
 struct PlaneFootprint {
-    double t = 0; ///< of the centre's ray
-    Vec3 hit{0}, x{0}, y{0};
+    double t = 0;      ///< of the centre's ray
+    Vec2 hit{0};       ///< of the centre's ray
     Vec2 dx{0}, dy{0}; ///< change of the hit by the pixel
 
-    Vec2 place(const Vec3& at) const { return {x.dot(at - hit), y.dot(at - hit)}; }
     /// Area of the parallelogram, signed.
     double area() const { return dx.cross(dy); }
+    /// Largest distance of a place of it from the hit.
+    double reach() const { return std::max((dx + dy).length(), (dx - dy).length()) / 2; }
+    /// Corners, from the hit.
     std::array<Vec2, 4> corners() const {
         const Vec2 right = dx / 2, up = dy / 2;
         return {right * -1 - up, right - up, right + up, up - right};
@@ -28,23 +32,22 @@ struct PlaneFootprint {
 };
 
 /// nullopt for a ray away from the plane or along it.
-std::optional<PlaneFootprint> footprint_on(const Vec3& through, const Vec3& normal,
-                                           const Vec3& origin, const Vec3& direction,
+std::optional<PlaneFootprint> footprint_on(const PlaneAxes& plane, const Vec3& origin,
+                                           const Vec3& direction,
                                            const std::optional<RayDifferentials>& spread) {
-    const double approach = normal.dot(direction), height = normal.dot(through - origin);
+    const double approach = plane.normal.dot(direction);
+    const double height = plane.normal.dot(plane.origin - origin);
     constexpr double parallel = 1e-12;
     if (!(std::abs(approach) > parallel * direction.length())) return std::nullopt;
     PlaneFootprint foot;
     foot.t = height / approach;
     if (!(foot.t > 0)) return std::nullopt;
-    foot.hit = origin + direction * foot.t;
-    foot.x = any_perpendicular(normal).normalized();
-    foot.y = normal.cross(foot.x);
+    foot.hit = plane.place(origin + direction * foot.t);
     if (!spread) return foot;
     const auto change = [&](const Vec3& by_origin, const Vec3& by_direction) {
         const Vec3 off = by_origin + by_direction * foot.t;
-        const Vec3 along = off - direction * (normal.dot(off) / approach);
-        return Vec2(foot.x.dot(along), foot.y.dot(along));
+        const Vec3 along = off - direction * (plane.normal.dot(off) / approach);
+        return Vec2(plane.x.dot(along), plane.y.dot(along));
     };
     foot.dx = change(spread->origin_dx, spread->direction_dx);
     foot.dy = change(spread->origin_dy, spread->direction_dy);
@@ -65,16 +68,6 @@ double area_in_square(std::vector<Vec2> corners) {
     for (std::size_t i = 0; i < corners.size(); ++i)
         twice += corners[i].cross(corners[(i + 1) % corners.size()]);
     return std::abs(twice) / 2;
-}
-
-/// Even-odd rule for the place 0.
-bool holds_zero(std::span<const Vec2> corners) {
-    bool inside = false;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
-        if ((a.y > 0) != (b.y > 0) && a.x - (b.x - a.x) * (a.y / (b.y - a.y)) > 0) inside = !inside;
-    }
-    return inside;
 }
 
 /// Signed area between a side from a to b and the centre of a circle about 0, inside of it.
@@ -100,19 +93,38 @@ std::optional<AreaHit> hit_of(double t, double coverage) {
 
 } // namespace
 
-std::optional<AreaHit> area_hit(const PolygonLight& light, const Vec3& origin,
+PlaneAxes::PlaneAxes(const Vec3& through, const Vec3& unit_normal)
+    : origin(through),
+      normal(unit_normal),
+      x(any_perpendicular(unit_normal).normalized()),
+      y(unit_normal.cross(x)) {}
+
+PanelOutline::PanelOutline(const PolygonLight& light)
+    : plane(light.corners.front(), light.normal()), two_sided(light.two_sided) {
+    Box2 box;
+    for (const Vec3& corner : light.corners) {
+        corners.push_back(plane.place(corner));
+        box.extend(corners.back());
+    }
+    middle = (box.lower + box.upper) / 2;
+    for (const Vec2& corner : corners) reach = std::max(reach, (corner - middle).length());
+}
+
+std::optional<AreaHit> area_hit(const PanelOutline& panel, const Vec3& origin,
                                 const Vec3& direction,
                                 const std::optional<RayDifferentials>& spread) {
-    if (!light.shines_at(origin)) return std::nullopt;
-    const auto foot =
-        footprint_on(light.corners.front(), light.normal(), origin, direction, spread);
-    if (!foot) return std::nullopt;
-    std::vector<Vec2> corners;
-    for (const Vec3& corner : light.corners) corners.push_back(foot->place(corner));
+    if (!panel.two_sided && !(panel.plane.normal.dot(origin - panel.plane.origin) > 0))
+        return std::nullopt;
+    const auto foot = footprint_on(panel.plane, origin, direction, spread);
+    if (!foot || (foot->hit - panel.middle).length() > panel.reach + foot->reach())
+        return std::nullopt;
     const double area = foot->area();
-    if (area == 0) return hit_of(foot->t, holds_zero(corners) ? 1 : 0);
-    for (Vec2& corner : corners)
-        corner = {corner.cross(foot->dy) / area, foot->dx.cross(corner) / area};
+    if (area == 0) return hit_of(foot->t, holds(panel.corners, foot->hit) ? 1 : 0);
+    std::vector<Vec2> corners;
+    for (const Vec2& corner : panel.corners) {
+        const Vec2 off = corner - foot->hit;
+        corners.emplace_back(off.cross(foot->dy) / area, foot->dx.cross(off) / area);
+    }
     return hit_of(foot->t, area_in_square(std::move(corners)));
 }
 
@@ -120,17 +132,17 @@ std::optional<AreaHit> area_hit(const SphereLight& light, const Vec3& origin, co
                                 const std::optional<RayDifferentials>& spread) {
     if (!((light.center - origin).length() > light.radius)) return std::nullopt;
     const Disc outline = outline_of(light, origin);
-    const auto foot = footprint_on(outline.center, outline.normal, origin, direction, spread);
+    const auto foot = footprint_on({outline.center, outline.normal}, origin, direction, spread);
     if (!foot) return std::nullopt;
     const double t = entry_of(light, origin, direction);
-    const Vec2 center = foot->place(outline.center);
+    const Vec2 center = foot->hit * -1;
     const double area = foot->area();
     if (area == 0) return hit_of(t, center.length() < outline.radius ? 1 : 0);
-    const std::array<Vec2, 4> corners = foot->corners();
     // Far from the rim the sectors of a small footprint are nothing but rounding.
-    const double reach = std::max(corners[0].length(), corners[1].length());
+    const double reach = foot->reach();
     if (center.length() > outline.radius + reach) return std::nullopt;
     if (center.length() < outline.radius - reach) return AreaHit{t, 1};
+    const std::array<Vec2, 4> corners = foot->corners();
     double sum = 0;
     for (std::size_t i = 0; i < corners.size(); ++i)
         sum += area_in_circle(corners[i] - center, corners[(i + 1) % 4] - center, outline.radius);

@@ -1,5 +1,7 @@
 #include "keiko/light/areas/area_irradiance.h"
 
+#include "keiko/math/bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -55,6 +57,23 @@ std::vector<Vec3> bounds_of(const SphereLight& light) {
             for (const double z : {-1, 1})
                 corners.push_back(light.center + Vec3(x, y, z) * light.radius);
     return corners;
+}
+
+double least_angle(const PolygonLight& light, const Vec3& point, const Vec3& direction) {
+    Box3 box;
+    for (const Vec3& corner : light.corners) box.extend(corner);
+    SphereLight around{(box.lower + box.upper) / 2, 0};
+    for (const Vec3& corner : light.corners)
+        around.radius = std::max(around.radius, (corner - around.center).length());
+    return least_angle(around, point, direction);
+}
+
+double least_angle(const SphereLight& light, const Vec3& point, const Vec3& direction) {
+    const Vec3 way = light.center - point;
+    const double distance = way.length();
+    if (!(distance > light.radius)) return 0;
+    const double to_center = std::atan2(direction.cross(way).length(), direction.dot(way));
+    return std::max(0.0, to_center - std::asin(light.radius / distance));
 }
 
 Disc outline_of(const SphereLight& sphere, const Vec3& point) {

@@ -15,6 +15,11 @@ Vec3 longest_side(const PolygonLight& light);
 std::vector<Vec3> bounds_of(const PolygonLight& light);
 std::vector<Vec3> bounds_of(const SphereLight& light);
 
+/// Lower bound, radians, of the angles between a unit direction and the ways from a point to a
+/// light: that of a sphere around the light; 0 within it.
+double least_angle(const PolygonLight& light, const Vec3& point, const Vec3& direction);
+double least_angle(const SphereLight& light, const Vec3& point, const Vec3& direction);
+
 /// The disc that covers the same directions as a sphere does, seen from a point outside: the rim is
 /// the sphere's outline. Its normal points away from the point.
 Disc outline_of(const SphereLight& sphere, const Vec3& point);

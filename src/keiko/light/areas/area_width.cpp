@@ -4,6 +4,7 @@
 #include "keiko/light/luminance/elevations.h"
 #include "keiko/math/axes.h"
 #include "keiko/math/convex_clip.h"
+#include "keiko/math/polygon.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,24 +55,23 @@ double AreaWidth::level(const SubAxis& axis) const {
 }
 
 double AreaWidth::lit(const SubAxis& axis, double begin, double end) const {
-    const double from = extent_.begin + begin * extent_.length();
-    const double to = extent_.begin + end * extent_.length();
     double sum = 0;
-    for (const ParameterInterval& chord : chords(axis.r * axis.sine)) {
-        const ParameterInterval part{std::max(chord.begin, from), std::min(chord.end, to)};
-        if (part.begin < part.end)
-            sum += arc_integral(level(axis), n_along_,
-                                {half_tangent(part.begin, axis.r), half_tangent(part.end, axis.r)});
-    }
+    for (const ParameterInterval& part : elevations(axis, begin, end))
+        sum += arc_integral(level(axis), n_along_, part);
     return sum;
 }
 
-std::vector<ParameterInterval> AreaWidth::elevations(const SubAxis& axis) const {
+std::vector<ParameterInterval> AreaWidth::elevations(const SubAxis& axis, double begin,
+                                                     double end) const {
+    const double from = extent_.begin + begin * extent_.length();
+    const double to = extent_.begin + end * extent_.length();
     std::vector<ParameterInterval> all;
     for (const ParameterInterval& chord : chords(axis.r * axis.sine)) {
+        const ParameterInterval part{std::max(chord.begin, from), std::min(chord.end, to)};
+        if (!(part.begin < part.end)) continue;
         const ParameterInterval above =
             above_horizon(level(axis), n_along_,
-                          {half_tangent(chord.begin, axis.r), half_tangent(chord.end, axis.r)});
+                          {half_tangent(part.begin, axis.r), half_tangent(part.end, axis.r)});
         if (above.begin < above.end) all.push_back(above);
     }
     return all;
@@ -145,11 +145,7 @@ double PolygonWidth::place_in(const Vec3& way) const {
 /// By the even-odd rule. Sides that clipping doubled cancel.
 std::vector<ParameterInterval> PolygonWidth::chords(double v) const {
     std::vector<double> crossings;
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const Vec2 &a = corners_[i], &b = corners_[(i + 1) % corners_.size()];
-        if ((a.y > v) != (b.y > v))
-            crossings.push_back(a.x + (b.x - a.x) * ((v - a.y) / (b.y - a.y)));
-    }
+    each_crossing(corners_, v, [&](double u) { crossings.push_back(u); });
     std::sort(crossings.begin(), crossings.end());
     std::vector<ParameterInterval> chords;
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)

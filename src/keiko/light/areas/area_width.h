@@ -19,8 +19,12 @@ public:
     double lit(const SubAxis& axis, double begin, double end) const override;
     /// Unit direction at an elevation, given by its half tangent, in the half-plane of a line.
     Vec3 direction(const SubAxis& axis, double half_tangent) const;
-    /// Elevations, by half tangents, of the parts of the source on a line above the horizon.
-    std::vector<ParameterInterval> elevations(const SubAxis& axis) const;
+    /// Unit vector along the lines.
+    const Vec3& along() const { return along_; }
+    /// Elevations, by half tangents, of the parts of the source on a line above the horizon, and
+    /// from t = `begin` to `end`, 0 to 1 along line_of().
+    std::vector<ParameterInterval> elevations(const SubAxis& axis, double begin = 0,
+                                              double end = 1) const;
     /// Projected solid angle, by the wedge angle and the half tangent of an elevation.
     double light_rate(const SubAxis& axis, double half_tangent) const;
     /// Place of the source at an elevation, given by its half tangent, in the half-plane of a line.

@@ -10,21 +10,15 @@
 namespace keiko {
 namespace {
 
-/// True if a point of the window's plane is in the polygon: even-odd rule, viewed along the largest
-/// component of the normal.
+/// True if a point of the window's plane is in the polygon, viewed along the largest component of
+/// the normal.
 bool holds(const Window& window, const Vec3& normal, const Vec3& point) {
     const Vec3 size(std::abs(normal.x), std::abs(normal.y), std::abs(normal.z));
     const unsigned skipped = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
     const unsigned u = skipped == 0 ? 1 : 0, v = skipped == 2 ? 1 : 2;
-    bool inside = false;
-    const std::size_t count = window.corners.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vec3 &a = window.corners[i], &b = window.corners[(i + 1) % count];
-        if ((a[v] > point[v]) == (b[v] > point[v])) continue;
-        const double cut = a[u] + (b[u] - a[u]) * (point[v] - a[v]) / (b[v] - a[v]);
-        if (point[u] < cut) inside = !inside;
-    }
-    return inside;
+    std::vector<Vec2> corners;
+    for (const Vec3& corner : window.corners) corners.emplace_back(corner[u], corner[v]);
+    return keiko::holds(corners, {point[u], point[v]});
 }
 
 /// Distance behind the window's plane along the light, of any sign.

@@ -52,4 +52,19 @@ void WidthShare::cut_at(const SourceWidth& width, std::span<const WidthCut> cuts
     hide_lines(width, next);
 }
 
+double visible_share(const SourceWidth& width, const Visibility& visible,
+                     const WidthOptions& options) {
+    const Segment first = width.line_of(width.sub_axis(-1));
+    const Segment last = width.line_of(width.sub_axis(1));
+    const Prism around{first, first, last, last};
+    if (const auto whole = visible.classify_prisms({&around, 1}).front()) return *whole ? 1 : 0;
+    WidthShare share(width, options);
+    std::vector<Segment> lines;
+    share.add_lines(width, lines);
+    const std::vector<IntervalSet> seen = visible.intervals(lines);
+    auto next = seen.begin();
+    share.hide_lines(width, next);
+    return share.visible_share(width, visible);
+}
+
 } // namespace keiko

@@ -50,4 +50,9 @@ private:
     double brightest_ = 0;
 };
 
+/// Visible share, 0 to 1, of the light of one source by its lines. One query suffices if all
+/// between the outermost lines is proved to have one visibility.
+double visible_share(const SourceWidth& width, const Visibility& visible,
+                     const WidthOptions& options);
+
 } // namespace keiko

@@ -1,4 +1,5 @@
-#include "keiko/light/areas/area_integral.h"
+#include "keiko/light/areas/area_gloss.h"
+#include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/surface_light.h"
@@ -9,8 +10,9 @@
 namespace keiko {
 namespace {
 
-constexpr double least_share = 1e-4;   ///< of a lobe's peak
-constexpr double picture_error = 3e-3; ///< of what a lobe reflects of a panel or a sphere
+constexpr double least_share = 1e-4; ///< of a lobe's peak
+/// Relative errors of what a lobe reflects of a panel or a sphere.
+constexpr double picture_error = 3e-3, number_error = 1e-6;
 
 /// Luminance of some lamps of a source.
 template <class Kernel>
@@ -18,12 +20,13 @@ class GlossReceiver {
 public:
     GlossReceiver(std::span<const int> asked, std::span<const LightVisibility> seen,
                   const std::optional<Medium>& medium, const Vec3& point, const Kernel& kernel,
-                  GlossQuadrature quadrature)
+                  const Visibility& visible, GlossQuadrature quadrature)
         : asked_(asked),
           seen_(seen),
           medium_(medium),
           point_(point),
           kernel_(kernel),
+          visible_(visible),
           quadrature_(quadrature),
           cone_(kernel.cone(least_share)) {}
 
@@ -68,16 +71,21 @@ private:
         return share * sun.illuminance * passed(point_ + sun.towards() * *way);
     }
 
-    /// The lobe over the whole source, as bright as its visible share.
+    /// The lobe over the whole source, times its visible share.
     template <AreaLight Light>
     Rgb from(const Light& light) const {
-        if (!(seen_[0].share > 0)) return {};
+        const double seen = seen_[0].share;
+        if (!(seen > 0) || least_angle(light, point_, kernel_.peak()) > cone_) return {};
         const auto width = width_of(light, point_, kernel_.normal());
         if (!width) return {};
-        const double relative = quadrature_ == GlossQuadrature::number ? 1e-6 : picture_error;
-        return light.luminance * gloss_integral(*width, kernel_, relative) * seen_[0].share *
-               (medium_ ? mean_over(*width, [&](const Vec3& place) { return passed(place); })
-                        : Rgb(1));
+        const bool in_picture = quadrature_ == GlossQuadrature::picture;
+        const AreaGloss gloss(*width, kernel_, in_picture ? picture_error : number_error);
+        const Rgb sent = medium_ ? gloss.integral([&](const Vec3& place) { return passed(place); })
+                                 : gloss.integral();
+        if (sent == Rgb()) return {};
+        const double share =
+            seen < 1 ? visible_gloss_share(gloss, visible_, area_accuracy(in_picture)) : 1;
+        return light.luminance * sent * share;
     }
 
     Rgb passed(const Vec3& from) const {
@@ -101,6 +109,7 @@ private:
     const std::optional<Medium>& medium_;
     const Vec3& point_;
     const Kernel& kernel_;
+    const Visibility& visible_;
     GlossQuadrature quadrature_;
     double cone_;
 };
@@ -116,7 +125,7 @@ Rgb glossy_luminance_from(const PreparedSource& source, const std::optional<Medi
         light_visibilities(source, lamps, point, kernel.normal(), visible, TubeModel::preview);
     Rgb sum;
     for (const Rgb& sent :
-         glossy_luminance_by_lamp(source, lamps, seen, medium, point, kernel, quadrature))
+         glossy_luminance_by_lamp(source, lamps, seen, medium, point, kernel, visible, quadrature))
         sum += sent;
     return sum;
 }
@@ -125,8 +134,10 @@ template <class Kernel>
 std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource& source, std::span<const int> lamps,
                                           std::span<const LightVisibility> seen,
                                           const std::optional<Medium>& medium, const Vec3& point,
-                                          const Kernel& kernel, GlossQuadrature quadrature) {
-    return std::visit(GlossReceiver(lamps, seen, medium, point, kernel, quadrature), source.kind());
+                                          const Kernel& kernel, const Visibility& visible,
+                                          GlossQuadrature quadrature) {
+    return std::visit(GlossReceiver(lamps, seen, medium, point, kernel, visible, quadrature),
+                      source.kind());
 }
 
 template Rgb glossy_luminance_from(const PreparedSource&, const std::optional<Medium>&, const Vec3&,
@@ -137,10 +148,12 @@ template Rgb glossy_luminance_from(const PreparedSource&, const std::optional<Me
 template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&, std::span<const int>,
                                                    std::span<const LightVisibility>,
                                                    const std::optional<Medium>&, const Vec3&,
-                                                   const GlossKernel&, GlossQuadrature);
+                                                   const GlossKernel&, const Visibility&,
+                                                   GlossQuadrature);
 template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&, std::span<const int>,
                                                    std::span<const LightVisibility>,
                                                    const std::optional<Medium>&, const Vec3&,
-                                                   const FlakeKernel&, GlossQuadrature);
+                                                   const FlakeKernel&, const Visibility&,
+                                                   GlossQuadrature);
 
 } // namespace keiko

@@ -17,6 +17,11 @@ constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
 /// angle around a tube.
 constexpr double widest_spacing = 0.12, widest_spacing_in_pictures = 1;
 
+WidthOptions width_accuracy(bool in_picture) {
+    if (!in_picture) return {width_tolerance, widest_spacing, true};
+    return {width_tolerance_in_pictures, widest_spacing_in_pictures, false};
+}
+
 class Looker {
 public:
     Looker(std::span<const int> asked, const Vec3& point, const Vec3& normal,
@@ -59,9 +64,8 @@ public:
 
     template <AreaLight Light>
     std::vector<LightVisibility> operator()(const Light& light) const {
-        WidthOptions of_area = accuracy(); // a panel of metres may have a bar between any lines
-        of_area.between_lines = true;
-        const double share = visible_share(light, point_, normal_, visible_, of_area);
+        const double share =
+            visible_share(light, point_, normal_, visible_, area_accuracy(in_picture()));
         return {{share > 0 ? IntervalSet::whole() : IntervalSet(), share}};
     }
 
@@ -88,7 +92,7 @@ private:
         std::vector<std::vector<OccludingTube>> hiding;
         if (comb.overlapping())
             for (const std::size_t i : above) hiding.push_back(comb.hiding_tubes(asked_[i]));
-        const WidthOptions accuracy = this->accuracy();
+        const WidthOptions accuracy = width_accuracy(in_picture());
         return seen_tubes(lamps, point_, normal_, visible_,
                           {.tolerance = accuracy.tolerance,
                            .axes = axes_,
@@ -96,10 +100,7 @@ private:
                            .between_lines = accuracy.between_lines},
                           hiding);
     }
-    WidthOptions accuracy() const {
-        if (model_ == TubeModel::automatic) return {width_tolerance, widest_spacing, true};
-        return {width_tolerance_in_pictures, widest_spacing_in_pictures, false};
-    }
+    bool in_picture() const { return model_ != TubeModel::automatic; }
 
     std::span<const int> asked_; ///< numbers of lamps
     const Vec3 &point_, &normal_;
@@ -133,6 +134,12 @@ bool weighs_width(const CPlane& plane, TubeModel model) {
     const bool wide = model == TubeModel::automatic || model == TubeModel::picture;
     return wide && (plane.diffuse == TubeModel::automatic || plane.diffuse == model ||
                     plane.diffuse == TubeModel::strip || plane.diffuse == TubeModel::cylinder);
+}
+
+WidthOptions area_accuracy(bool in_picture) {
+    WidthOptions options = width_accuracy(in_picture);
+    options.between_lines = true; // a panel of metres may have a bar between any lines
+    return options;
 }
 
 std::vector<LightVisibility> light_visibilities(const PreparedSource& source,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/geometry/rays/visibility.h"
+#include "keiko/light/penumbra/width_share.h"
 #include "keiko/light/rig/prepared_rig.h"
 #include "keiko/light/tubes/tube_penumbra.h"
 
@@ -22,6 +23,10 @@ bool alike(const LightVisibility& a, const LightVisibility& b);
 /// True if a model of a row weighs shadows over the whole width of the lamps, as all models of the
 /// whole tube do. `model`: the requested one, which a row that names its own overrides.
 bool weighs_width(const CPlane& plane, TubeModel model);
+
+/// Accuracy of the visible share of a panel, a sphere or a lobe on one: 3e-3 in pictures, else
+/// 5e-5.
+WidthOptions area_accuracy(bool in_picture);
 
 /// Visibility of some lamps of a source from a point with a unit normal, by rising number as in
 /// lamp_numbers(). `visible` is the visibility from that point; for a source without extent it is

@@ -1,22 +1,17 @@
 #include "keiko/light/rig/rig_areas.h"
 
-#include "keiko/light/areas/area_coverage.h"
 #include "keiko/light/areas/area_irradiance.h"
 
 #include <algorithm>
-#include <type_traits>
 
 namespace keiko {
 namespace {
 
-/// Calls `use` for a panel or a sphere.
-template <class Use>
-void use_area(const LightSource& source, const Use& use) {
-    std::visit(
-        [&](const auto& light) {
-            if constexpr (AreaLight<std::decay_t<decltype(light)>>) use(light);
-        },
-        source);
+template <AreaLight Light>
+Box3 box_around(const Light& light) {
+    Box3 box;
+    for (const Vec3& corner : bounds_of(light)) box.extend(corner);
+    return box;
 }
 
 struct Layer {
@@ -27,19 +22,24 @@ struct Layer {
 } // namespace
 
 RigAreas::RigAreas(const LightRig& rig) {
-    for (const LightSource& source : rig.sources)
-        use_area(source, [&](const auto& light) { lights_.emplace_back(light); });
+    for (const LightSource& source : rig.sources) {
+        if (const auto* panel = std::get_if<PolygonLight>(&source))
+            areas_.push_back({PanelOutline(*panel), panel->luminance, box_around(*panel)});
+        if (const auto* sphere = std::get_if<SphereLight>(&source))
+            areas_.push_back({*sphere, sphere->luminance, box_around(*sphere)});
+    }
 }
 
 RigAreas::Visible RigAreas::along(const Vec3& origin, const Vec3& direction,
                                   const std::optional<RayDifferentials>& spread,
                                   double t_max) const {
     std::vector<Layer> layers;
-    for (const LightSource& source : lights_)
-        use_area(source, [&](const auto& light) {
-            const auto hit = area_hit(light, origin, direction, spread);
-            if (hit && hit->t * (1 - flush) < t_max) layers.push_back({*hit, light.luminance});
-        });
+    for (const Area& area : areas_) {
+        const auto hit = std::visit(
+            [&](const auto& shape) { return area_hit(shape, origin, direction, spread); },
+            area.shape);
+        if (hit && hit->t * (1 - flush) < t_max) layers.push_back({*hit, area.luminance});
+    }
     if (layers.empty()) return {};
     std::stable_sort(layers.begin(), layers.end(),
                      [](const Layer& a, const Layer& b) { return a.hit.t < b.hit.t; });
@@ -50,11 +50,7 @@ RigAreas::Visible RigAreas::along(const Vec3& origin, const Vec3& direction,
 
 std::vector<Box3> RigAreas::boxes() const {
     std::vector<Box3> boxes;
-    for (const LightSource& source : lights_)
-        use_area(source, [&](const auto& light) {
-            Box3& box = boxes.emplace_back();
-            for (const Vec3& corner : bounds_of(light)) box.extend(corner);
-        });
+    for (const Area& area : areas_) boxes.push_back(area.box);
     return boxes;
 }
 

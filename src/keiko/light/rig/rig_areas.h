@@ -1,11 +1,13 @@
 #pragma once
 
+#include "keiko/light/areas/area_coverage.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/rig/rig_planes.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/ray_differentials.h"
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 namespace keiko {
@@ -23,7 +25,7 @@ public:
     explicit RigAreas(const LightRig& rig);
 
     /// True if the rig has none.
-    bool empty() const { return lights_.empty(); }
+    bool empty() const { return areas_.empty(); }
     /// Lights that a ray meets with t up to `t_max`, over the footprint of its pixel if there is a
     /// `spread`. The nearest is in front of those behind it.
     Visible along(const Vec3& origin, const Vec3& direction,
@@ -32,7 +34,13 @@ public:
     std::vector<Box3> boxes() const;
 
 private:
-    std::vector<LightSource> lights_; ///< panels and spheres alone
+    /// A panel or a sphere, prepared for rays.
+    struct Area {
+        std::variant<PanelOutline, SphereLight> shape;
+        Rgb luminance; ///< cd/m2
+        Box3 box;
+    };
+    std::vector<Area> areas_;
 };
 
 } // namespace keiko

@@ -45,20 +45,21 @@ Rgb direct_illuminance(const LightRig& rig, const Vec3& point, const Vec3& norma
 /// Luminance in cd/m2 that the lobe of a kernel reflects from `point` to the kernel's viewer, of
 /// one source, through the medium if there is one. Lamps are exact tubes, or the paper's rectangles
 /// if a row's `mirror` is flat. `visible` is the visibility from the point. Lamps that hide each
-/// other are each counted in full. Tubes outside of the lobe's cone, where it is below 1e-4 of its
-/// peak, do not count.
+/// other are each counted in full. Tubes, panels and spheres outside of the lobe's cone, where it
+/// is below 1e-4 of its peak, do not count.
 template <class Kernel>
 Rgb glossy_luminance_from(const PreparedSource& source, const std::optional<Medium>& medium,
                           const Vec3& point, const Kernel& kernel, const Visibility& visible,
                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
-/// Luminance of some lamps of a source, each by itself. `seen` is the visibility of their axes, as
-/// returned by light_visibilities().
+/// Luminance of some lamps of a source, each by itself. `seen` is their visibility with axes, as
+/// returned by light_visibilities(). Of a panel or a sphere that is partly `seen`, `visible` is
+/// queried for the share that counts for the lobe.
 template <class Kernel>
 std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource& source, std::span<const int> lamps,
                                           std::span<const LightVisibility> seen,
                                           const std::optional<Medium>& medium, const Vec3& point,
-                                          const Kernel& kernel,
+                                          const Kernel& kernel, const Visibility& visible,
                                           GlossQuadrature quadrature = GlossQuadrature::picture);
 
 extern template Rgb glossy_luminance_from(const PreparedSource&, const std::optional<Medium>&,
@@ -71,12 +72,14 @@ extern template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&,
                                                           std::span<const int>,
                                                           std::span<const LightVisibility>,
                                                           const std::optional<Medium>&, const Vec3&,
-                                                          const GlossKernel&, GlossQuadrature);
+                                                          const GlossKernel&, const Visibility&,
+                                                          GlossQuadrature);
 extern template std::vector<Rgb> glossy_luminance_by_lamp(const PreparedSource&,
                                                           std::span<const int>,
                                                           std::span<const LightVisibility>,
                                                           const std::optional<Medium>&, const Vec3&,
-                                                          const FlakeKernel&, GlossQuadrature);
+                                                          const FlakeKernel&, const Visibility&,
+                                                          GlossQuadrature);
 
 /// Luminance in cd/m2 that the lobe of a kernel reflects to its viewer, of all sources of a rig.
 template <class Kernel>

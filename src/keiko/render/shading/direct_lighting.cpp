@@ -4,7 +4,6 @@
 #include "keiko/light/rig/light_visibility.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_lamp.h"
-#include "keiko/render/shading/occluded_visibility.h"
 
 #include <algorithm>
 #include <iterator>
@@ -69,9 +68,7 @@ std::vector<LightVisibility> DirectLighting::light_visibility(const Vec3& point,
     std::vector<LightVisibility> all;
     each_source(lights, [&](std::size_t i, std::span<const int> lamps, std::size_t) {
         const PreparedSource& source = rig_.sources[i];
-        const OccludedVisibility visible(
-            occluders_, tracer_, Viewpoint::at(point, root),
-            occluders_ ? light_bounds(source, lamps, point) : std::vector<Vec3>(), {}, normal);
+        const OccludedVisibility visible = visibility(source, lamps, point, normal, root);
         std::vector<LightVisibility> seen = light_visibilities(
             source, lamps, point, normal, visible, model, axes || rig_.medium.has_value());
         if (seen.size() == lights.size())
@@ -80,6 +77,18 @@ std::vector<LightVisibility> DirectLighting::light_visibility(const Vec3& point,
             std::move(seen.begin(), seen.end(), std::back_inserter(all));
     });
     return all;
+}
+
+OccludedVisibility DirectLighting::visibility(const PreparedSource& source,
+                                              std::span<const int> lamps, const Vec3& point,
+                                              const Vec3& normal,
+                                              const std::optional<Root>& root) const {
+    return {occluders_,
+            tracer_,
+            Viewpoint::at(point, root),
+            occluders_ ? light_bounds(source, lamps, point) : std::vector<Vec3>(),
+            {},
+            normal};
 }
 
 bool DirectLighting::may_occlude(std::span<const Vec3> places, const LightId& light,

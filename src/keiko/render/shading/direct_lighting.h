@@ -4,6 +4,7 @@
 #include "keiko/light/rig/light_visibility.h"
 #include "keiko/light/rig/prepared_rig.h"
 #include "keiko/light/rig/surface_light.h"
+#include "keiko/render/shading/occluded_visibility.h"
 #include "keiko/visibility/query/occluders.h"
 
 #include <optional>
@@ -39,6 +40,11 @@ public:
                                                   std::span<const LightId> lights, TubeModel model,
                                                   bool axes = true) const;
 
+    /// Visibility of some lamps of a source, by rising number, from such a point. Keeps references.
+    OccludedVisibility visibility(const PreparedSource& source, std::span<const int> lamps,
+                                  const Vec3& point, const Vec3& normal,
+                                  const std::optional<Root>& root) const;
+
     /// False if all of the hull of `places` is proved to have one visibility of a light: all of it
     /// or nothing; see Occluders::may_occlude(). Windows are not tested.
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
@@ -68,12 +74,15 @@ public:
     /// lx from each light, in order.
     std::vector<Rgb> illuminance_by_light(const ClearCoat* coat = nullptr) const;
     /// cd/m2 that the lobe of a kernel, made for the point's normal, reflects to its viewer of each
-    /// light.
+    /// light. `lighting` is that of the scene, `root` the point's own.
     template <class Kernel>
-    std::vector<Rgb> glossy_by_light(const Kernel& kernel) const {
+    std::vector<Rgb> glossy_by_light(const Kernel& kernel, const DirectLighting& lighting,
+                                     const std::optional<Root>& root) const {
         return by_light([&](const PreparedSource& source, std::span<const int> lamps,
                             std::span<const LightVisibility> seen) {
-            return glossy_luminance_by_lamp(source, lamps, seen, rig_.medium, point_, kernel);
+            return glossy_luminance_by_lamp(
+                source, lamps, seen, rig_.medium, point_, kernel,
+                lighting.visibility(source, lamps, point_, normal_, root));
         });
     }
 

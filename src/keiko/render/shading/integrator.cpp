@@ -213,11 +213,12 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
         else
             for (DirectLight& light : brought) light.incident = keiko::luminance(light.illuminance);
     }
-    const auto add_lobe = [](DirectLight& light, const Rgb& sent) { light.lobes += sent; };
-    if (paint.gloss())
-        each(lit.glossy_by_light(GlossKernel(*paint.gloss(), normal, point.eye)), add_lobe);
-    if (paint.flakes())
-        each(lit.glossy_by_light(FlakeKernel(*paint.flakes(), normal, point.eye)), add_lobe);
+    const auto add_lobe = [&](const auto& kernel) {
+        each(lit.glossy_by_light(kernel, lights_, point.root),
+             [](DirectLight& light, const Rgb& sent) { light.lobes += sent; });
+    };
+    if (paint.gloss()) add_lobe(GlossKernel(*paint.gloss(), normal, point.eye));
+    if (paint.flakes()) add_lobe(FlakeKernel(*paint.flakes(), normal, point.eye));
     return brought;
 }
 

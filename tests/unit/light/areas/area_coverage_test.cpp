@@ -66,18 +66,19 @@ int compare_with_rays(const Light& light, double allowed) {
 /// Rays of a pixel are not quite a parallelogram on a plane aslant, nor is a sphere's outline that
 /// of its middle from all of a pixel.
 TEST(AreaCoverage, IsTheMeanOverTheRaysOfAPixel) {
-    EXPECT_GT(compare_with_rays(angle, 0.01), 2);
+    EXPECT_GT(compare_with_rays(PanelOutline(angle), 0.01), 2);
     EXPECT_GT(compare_with_rays(globe, 0.02), 2);
 }
 
 TEST(AreaCoverage, IsWholeWithinAndNothingBeside) {
     const RayDifferentials spread = pixel(1e-3, 1e-3);
-    const auto within = area_hit(angle, Vec3(0), {0.1, 0.1, 1}, spread);
+    const PanelOutline outline(angle);
+    const auto within = area_hit(outline, Vec3(0), {0.1, 0.1, 1}, spread);
     ASSERT_TRUE(within);
     EXPECT_NEAR(within->coverage, 1, 1e-12);
     EXPECT_NEAR(within->t, 1000 + within->t * 0.1 / 6, 1e-9);
-    EXPECT_FALSE(area_hit(angle, Vec3(0), {0.45, 0.4, 1}, spread)); // between both arms
-    EXPECT_FALSE(area_hit(angle, Vec3(0), {0.1, 0.1, -1}, spread)); // away
+    EXPECT_FALSE(area_hit(outline, Vec3(0), {0.45, 0.4, 1}, spread)); // between both arms
+    EXPECT_FALSE(area_hit(outline, Vec3(0), {0.1, 0.1, -1}, spread)); // away
     const auto sphere = area_hit(globe, Vec3(0), {0.1, -0.05, 0.9}, spread);
     ASSERT_TRUE(sphere);
     EXPECT_NEAR(sphere->coverage, 1, 1e-12);
@@ -86,8 +87,8 @@ TEST(AreaCoverage, IsWholeWithinAndNothingBeside) {
 }
 
 TEST(AreaCoverage, HalfAPixelAtAStraightSideIsHalf) {
-    const PolygonLight panel{
-        {{-500, 0, 100}, {500, 0, 100}, {500, 500, 100}, {-500, 500, 100}}, Rgb(1), true};
+    const PanelOutline panel(PolygonLight{
+        {{-500, 0, 100}, {500, 0, 100}, {500, 500, 100}, {-500, 500, 100}}, Rgb(1), true});
     RayDifferentials spread;
     spread.direction_dx = {0.01, 0, 0}, spread.direction_dy = {0, 0.01, 0};
     EXPECT_NEAR(area_hit(panel, Vec3(0), {0, 0, 1}, spread)->coverage, 0.5, 1e-12);
@@ -96,10 +97,10 @@ TEST(AreaCoverage, HalfAPixelAtAStraightSideIsHalf) {
 
 TEST(AreaCoverage, DarkFacesAreNotSeen) {
     PolygonLight panel{{{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}}};
-    EXPECT_FALSE(area_hit(panel, Vec3(0), {0, 0, 1}, {}));
-    EXPECT_TRUE(area_hit(panel, Vec3(0, 0, 2), {0, 0, -1}, {}));
+    EXPECT_FALSE(area_hit(PanelOutline(panel), Vec3(0), {0, 0, 1}, {}));
+    EXPECT_TRUE(area_hit(PanelOutline(panel), Vec3(0, 0, 2), {0, 0, -1}, {}));
     panel.two_sided = true;
-    EXPECT_TRUE(area_hit(panel, Vec3(0), {0, 0, 1}, {}));
+    EXPECT_TRUE(area_hit(PanelOutline(panel), Vec3(0), {0, 0, 1}, {}));
 }
 
 /// The nearest comes first, wherever it stands in the rig; a surface hides what is behind it.

@@ -1,6 +1,6 @@
 #include "keiko/light/areas/area_irradiance.h"
 
-#include "keiko/light/areas/area_integral.h"
+#include "keiko/light/areas/area_gloss.h"
 #include "keiko/light/areas/area_penumbra.h"
 #include "keiko/math/axes.h"
 #include "keiko/math/quadrature.h"
@@ -8,6 +8,7 @@
 #include "tests/support/oracle.h"
 #include "tests/support/polyhedron_row.h"
 #include "tests/support/random.h"
+#include "tests/support/shows_below.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -109,22 +110,6 @@ TEST(AreaIrradiance, FluxIsReciprocal) {
     EXPECT_NEAR(there, back, 1e-9 * back);
 }
 
-/// Shows what lies on one side of a wall at an x.
-class ShowsBelow final : public Visibility {
-public:
-    explicit ShowsBelow(double x) : x_(x) {}
-    using Visibility::intervals;
-    IntervalSet intervals(const Segment& line) const override {
-        const double rise = line.b.x - line.a.x;
-        if (rise == 0) return line.a.x < x_ ? IntervalSet::whole() : IntervalSet();
-        const double t = std::clamp((x_ - line.a.x) / rise, 0.0, 1.0);
-        return rise > 0 ? IntervalSet::whole(0, t) : IntervalSet::whole(t, 1);
-    }
-
-private:
-    double x_;
-};
-
 /// A rectangle at a height of 800 mm that shines down.
 PolygonLight ceiling(double from, double to) {
     return {{{from, -300, 800}, {from, 500, 800}, {to, 500, 800}, {to, -300, 800}}};
@@ -140,8 +125,8 @@ TEST(AreaPenumbra, VisiblePartsOfLinesAddUpToTheClosedForm) {
             const double all = projected_solid_angle(whole, Vec3(0), normal);
             const double left = projected_solid_angle(ceiling(-400, 100), Vec3(0), normal);
             EXPECT_GT(all, left);
-            EXPECT_NEAR(visible_share(whole, Vec3(0), normal, ShowsBelow(100), options) * all, left,
-                        1e-5 * all);
+            EXPECT_NEAR(visible_share(whole, Vec3(0), normal, test::ShowsBelow(100), options) * all,
+                        left, 1e-5 * all);
         }
 }
 
@@ -150,7 +135,7 @@ TEST(AreaPenumbra, WholeAndNothingArePrecise) {
     const SphereLight globe{{500, 0, 300}, 400};
     const WidthOptions options{1e-4};
     for (const double shown : {0.0, 1.0}) {
-        const ShowsBelow visible(shown > 0 ? 1e9 : -1e9);
+        const test::ShowsBelow visible(shown > 0 ? 1e9 : -1e9);
         EXPECT_NEAR(visible_share(notched, Vec3(0), up, visible, options), shown, 1e-15);
         EXPECT_NEAR(visible_share(globe, Vec3(0), up, visible, options), shown, 1e-15);
     }
@@ -164,8 +149,7 @@ struct CosineKernel {
     Vec3 normal;
 
     Rgb operator()(const Vec3& light) const { return Rgb(std::max(normal.dot(light), 0.0)); }
-    const Vec3& peak() const { return normal; }
-    double spread() const { return 1; }
+    LobeChart chart() const { return {normal, 1}; }
 };
 
 /// A star of a panel around a place, with `tips` tips.
@@ -190,7 +174,8 @@ TEST(AreaIrradiance, LinesOfAnySourceAddUpToTheClosedForm) {
         const double closed = projected_solid_angle(light, Vec3(0), normal);
         const auto width = width_of(light, Vec3(0), normal);
         compared += closed > 0.01;
-        const double by_lines = width ? gloss_integral(*width, CosineKernel{normal}, 1e-9).g : 0;
+        const double by_lines =
+            width ? AreaGloss(*width, CosineKernel{normal}, 1e-9).integral().g : 0;
         EXPECT_NEAR(by_lines, closed, 1e-6);
     };
     for (int i = 0; i < 200; ++i) {
@@ -200,6 +185,23 @@ TEST(AreaIrradiance, LinesOfAnySourceAddUpToTheClosedForm) {
         compare(SphereLight{center, center.length() * test::uniform(random, 0.01, 0.99)}, normal);
     }
     EXPECT_GT(compared, 100);
+}
+
+/// No corner, and no place of a sphere, is nearer to the direction.
+TEST(AreaIrradiance, LeastAngleIsALowerBound) {
+    test::Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        const Vec3 direction = test::random_direction(random);
+        const PolygonLight star = random_star(3, random);
+        const double bound = least_angle(star, Vec3(0), direction);
+        for (const Vec3& corner : star.corners)
+            EXPECT_LE(bound,
+                      std::atan2(direction.cross(corner).length(), direction.dot(corner)) + 1e-12);
+    }
+    const SphereLight globe{{0, 3000, 0}, 1500};
+    EXPECT_NEAR(least_angle(globe, Vec3(0), {1, 0, 0}), pi / 3, 1e-12);
+    EXPECT_EQ(least_angle(globe, Vec3(0, 1600, 0), {-1, 0, 0}), 0);
+    EXPECT_EQ(least_angle(globe, Vec3(0), Vec3(0.1, 1, 0).normalized()), 0);
 }
 
 TEST(AreaIrradiance, HoldsWhatLiesOnOrIn) {

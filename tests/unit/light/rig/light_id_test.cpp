@@ -63,7 +63,7 @@ TEST(LightId, EachLampLightsAsIfAlone) {
     const auto lx = illuminance_by_lamp(row, some, seen, {}, point, up, TubeModel::automatic);
     const Gloss gloss{{DistributionKind::trowbridge_reitz, 0.3}, GlossMode::lobe};
     const GlossKernel kernel(gloss, up, Vec3(0.3, 0, 1).normalized());
-    const auto sent = glossy_luminance_by_lamp(row, some, seen, {}, point, kernel);
+    const auto sent = glossy_luminance_by_lamp(row, some, seen, {}, point, kernel, Unoccluded());
     ASSERT_EQ(lx.size(), 2u);
     ASSERT_EQ(sent.size(), 2u);
     for (std::size_t i = 0; i < 2; ++i) {

@@ -1,0 +1,123 @@
+#include "keiko/files/scene/rig_tables.h"
+#include "keiko/files/toml/toml_reader.h"
+#include "keiko/files/toml/toml_text.h"
+#include "keiko/geometry/rays/visibility.h"
+#include "keiko/math/bounds.h"
+#include "keiko/math/polygon.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+/// Share of a polygon's size by which its corners may miss a plane, and within which parts of its
+/// outline touch each other.
+constexpr double flat_enough = 1e-6;
+
+double size_of(const std::vector<Vec3>& corners) {
+    Box3 box;
+    for (const Vec3& corner : corners) box.extend(corner);
+    return box.size();
+}
+
+/// True if two segments of a plane with this normal cross inside of both.
+bool cross(const Segment& p, const Segment& q, const Vec3& normal) {
+    const auto side = [&](const Segment& line, const Vec3& at) {
+        return normal.dot((line.b - line.a).cross(at - line.a));
+    };
+    return side(p, q.a) * side(p, q.b) < 0 && side(q, p.a) * side(q, p.b) < 0;
+}
+
+double distance_to(const Segment& line, const Vec3& point) {
+    const Vec3 way = line.b - line.a;
+    const double t = std::clamp((point - line.a).dot(way) / way.length2(), 0.0, 1.0);
+    return (line.at(t) - point).length();
+}
+
+/// A closed outline of corners; messages count corners and sides from 1.
+class Ring {
+public:
+    explicit Ring(const std::vector<Vec3>& corners)
+        : corners_(corners), touching_(flat_enough * size_of(corners)) {}
+
+    /// Description of a place where the outline meets itself; empty if it does not.
+    std::string fault() const {
+        for (const auto& find : {&Ring::coinciding, &Ring::touching, &Ring::crossing})
+            if (std::string words = (this->*find)(); !words.empty()) return words;
+        return {};
+    }
+
+private:
+    std::size_t count() const { return corners_.size(); }
+    Segment side(std::size_t i) const { return {corners_[i], corners_[(i + 1) % count()]}; }
+    static std::string number(std::size_t i) { return std::to_string(i + 1); }
+
+    std::string coinciding() const {
+        for (std::size_t i = 0; i < count(); ++i)
+            for (std::size_t k = i + 1; k < count(); ++k)
+                if (!((corners_[k] - corners_[i]).length() > touching_))
+                    return "corners " + number(i) + " and " + number(k) + " coincide";
+        return {};
+    }
+    std::string touching() const {
+        for (std::size_t i = 0; i < count(); ++i)
+            for (std::size_t k = 0; k < count(); ++k)
+                if (k != i && (k + 1) % count() != i &&
+                    !(distance_to(side(k), corners_[i]) > touching_))
+                    return "corner " + number(i) + " lies on side " + number(k);
+        return {};
+    }
+    std::string crossing() const {
+        const Vec3 normal = polygon_normal(corners_);
+        for (std::size_t i = 0; i < count(); ++i)
+            for (std::size_t k = i + 2; k < count(); ++k)
+                if (cross(side(i), side(k), normal))
+                    return "sides " + number(i) + " and " + number(k) + " cross each other";
+        return {};
+    }
+
+    const std::vector<Vec3>& corners_;
+    double touching_; ///< mm
+};
+
+} // namespace
+
+std::vector<Vec3> corners_from(const TomlTable& table) {
+    std::vector<Vec3> corners;
+    for (const auto& corner :
+         table.required("corners", table.lists("corners", TomlLimits::place()))) {
+        if (corner.size() != 3) throw table.error("corners", "must be arrays of 3 numbers");
+        corners.emplace_back(corner[0], corner[1], corner[2]);
+    }
+    return corners;
+}
+
+void require_polygon(const TomlTable& table, const std::vector<Vec3>& corners) {
+    if (corners.size() < 3) throw table.error("corners", "must be at least 3");
+    const double size = size_of(corners);
+    const Vec3 normal = polygon_normal(corners);
+    if (!(normal.length() > flat_enough * size * size))
+        throw table.error("corners", "enclose no area");
+    for (const Vec3& corner : corners)
+        if (std::abs(normal.dot(corner - corners.front())) > flat_enough * size * normal.length())
+            throw table.error("corners", "must lie in a plane");
+}
+
+void require_ring(const TomlTable& table, const std::vector<Vec3>& corners) {
+    // A limit that keeps the comparison of all parts with each other short.
+    constexpr std::size_t most_corners = 1000;
+    if (corners.size() > most_corners)
+        throw table.error("corners", "must be at most " + std::to_string(most_corners));
+    require_polygon(table, corners);
+    if (const std::string fault = Ring(corners).fault(); !fault.empty())
+        throw table.error("corners", fault);
+}
+
+std::string corners_line(const std::vector<Vec3>& corners) {
+    std::string list;
+    for (const Vec3& corner : corners) list += (list.empty() ? "" : ", ") + toml_value(corner);
+    return toml_line("corners", "[" + list + "]", "mm");
+}
+
+} // namespace keiko

@@ -1,0 +1,120 @@
+#pragma once
+
+#include "keiko/light/areas/area_width.h"
+#include "keiko/light/luminance/gloss_slice.h"
+#include "keiko/light/penumbra/width_share.h"
+#include "keiko/math/quadrature.h"
+#include "keiko/math/rgb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace keiko {
+
+/// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a source above the
+/// horizon, in lines of the source. Times the source's luminance it is the luminance that the
+/// surface reflects to the viewer (docs/theory/areas.md#lobes).
+template <class Kernel>
+class AreaGloss final : public SourceWidth {
+public:
+    /// Prepares the integral: measures the lobe at the source's nearest place to the peak. Pairs of
+    /// rules agree within `relative` of the whole. References to both are kept.
+    AreaGloss(const AreaWidth& width, const Kernel& kernel, double relative)
+        : width_(width), kernel_(kernel), chart_(kernel.chart()), relative_(relative) {
+        approach();
+    }
+
+    /// The whole integral, times what `passed(place)` of the light of a place arrives.
+    template <class Passed>
+    Rgb integral(const Passed& passed) const {
+        return over_width([&](const SubAxis& axis) {
+            return [&](double eta) { return passed(width_.place(axis, std::tan(eta / 2))); };
+        });
+    }
+    /// The whole integral through a vacuum.
+    Rgb integral() const {
+        return over_width([](const SubAxis&) { return all_of_it; });
+    }
+
+    SubAxis sub_axis(double place) const override { return width_.sub_axis(place); }
+    Segment line_of(const SubAxis& axis) const override { return width_.line_of(axis); }
+    /// Luminance of the kernel's integral over a part of a line, by the wedge angle.
+    double lit(const SubAxis& axis, double begin, double end) const override {
+        return luminance(in_half_plane(axis, width_.elevations(axis, begin, end), all_of_it));
+    }
+    /// Cuts of the source, and some about the lobe's peak.
+    std::vector<double> cuts() const override {
+        std::vector<double> cuts;
+        const std::vector<double> own = width_.cuts();
+        for (std::size_t i = 0; i + 1 < own.size(); ++i)
+            for (const double place : about_peak(own[i], own[i + 1]).places())
+                if (cuts.empty() || place > cuts.back()) cuts.push_back(place);
+        return cuts;
+    }
+    double place_in(const Vec3& way) const override { return width_.place_in(way); }
+    /// Spread of the lobe across the lines, as a share of half the width.
+    double spread() const { return spread_; }
+
+private:
+    static Rgb all_of_it(double /*eta*/) { return Rgb(1); }
+
+    template <class PassedOn>
+    Rgb over_width(const PassedOn& passed_on) const {
+        const auto sent = [&](double place) {
+            const SubAxis axis = width_.sub_axis(place);
+            return in_half_plane(axis, width_.elevations(axis), passed_on(axis)) * axis.weight;
+        };
+        Rgb sum;
+        const std::vector<double> cuts = width_.cuts();
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+            sum += integrate_paired(sent, about_peak(cuts[i], cuts[i + 1]), relative_);
+        return sum;
+    }
+    template <class Passed>
+    Rgb in_half_plane(const SubAxis& axis, const std::vector<ParameterInterval>& elevations,
+                      const Passed& passed) const {
+        const GlossSlice slice(width_.along(), width_.direction(axis, 0), kernel_, chart_);
+        Rgb sum;
+        for (const ParameterInterval& part : elevations)
+            sum += slice.paired({2 * std::atan(part.begin), 2 * std::atan(part.end)}, relative_,
+                                passed);
+        return sum;
+    }
+    Breakpoints about_peak(double begin, double end) const {
+        Breakpoints range(begin, end);
+        for (const double off : {-4.0, -1.5, -0.5, 0.5, 1.5, 4.0})
+            range.cut_at(peak_ + off * spread_);
+        return range;
+    }
+    void approach() {
+        peak_ = width_.place_in(chart_.peak());
+        constexpr double flank = 0.9; // of the width: at its end a sphere's rate is 0
+        const SubAxis axis = width_.sub_axis(std::clamp(peak_, -flank, flank));
+        const Vec3 level = width_.direction(axis, 0), &along = width_.along();
+        const double eta = std::atan2(along.dot(chart_.peak()), level.dot(chart_.peak()));
+        const double cosine = std::cos(eta);
+        const Vec3 light = level * cosine + along * std::sin(eta);
+        const Vec3 sideways = level.cross(along); // the way that rising wedge angles turn, or back
+        constexpr double crowded = 0.02;          // meridians crowd at the ends of the lines
+        spread_ = 1 / (chart_.at(light, sideways).rate.length() *
+                       std::max(std::abs(cosine), crowded) * axis.weight);
+    }
+
+    const AreaWidth& width_;
+    const Kernel& kernel_;
+    LobeChart chart_;
+    double relative_;
+    double peak_ = 0, spread_ = 1; ///< place of the lobe's peak, and its spread in places
+};
+
+/// Visible share, 0 to 1, of what a lobe reflects of a source, by the luminance of the kernel. The
+/// tolerance of the options is one of the lobe's integral.
+template <class Kernel>
+double visible_gloss_share(const AreaGloss<Kernel>& gloss, const Visibility& visible,
+                           WidthOptions options) {
+    options.tolerance *= std::min(1.0, gloss.spread());
+    return visible_share(gloss, visible, options);
+}
+
+} // namespace keiko
