@@ -12,10 +12,6 @@
 
 namespace KEIKO_API keiko {
 
-/// Share of a distance within which a light lies in a surface, as a panel flush with a ceiling. The
-/// light is in front.
-constexpr double flush = 1e-6;
-
 /// A plane panel of uniform luminance in all directions: an LED panel, a light box, a screen.
 struct PolygonLight {
     std::vector<Vec3> corners; ///< mm, at least 3 in a plane, convex or not, without crossings

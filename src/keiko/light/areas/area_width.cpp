@@ -2,6 +2,7 @@
 
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/luminance/elevations.h"
+#include "keiko/light/luminance/flush.h"
 #include "keiko/math/axes.h"
 #include "keiko/math/convex_clip.h"
 #include "keiko/math/polygon.h"

@@ -1,6 +1,7 @@
 #include "keiko/light/rig/rig_areas.h"
 
 #include "keiko/light/areas/area_irradiance.h"
+#include "keiko/light/luminance/flush.h"
 
 #include <algorithm>
 
@@ -14,11 +15,6 @@ Box3 box_around(const Light& light) {
     return box;
 }
 
-struct Layer {
-    AreaHit hit;
-    Rgb luminance;
-};
-
 } // namespace
 
 RigAreas::RigAreas(const LightRig& rig) {
@@ -30,9 +26,9 @@ RigAreas::RigAreas(const LightRig& rig) {
     }
 }
 
-RigAreas::Visible RigAreas::along(const Vec3& origin, const Vec3& direction,
-                                  const std::optional<RayDifferentials>& spread,
-                                  double t_max) const {
+std::vector<RigAreas::Layer> RigAreas::along(const Vec3& origin, const Vec3& direction,
+                                             const std::optional<RayDifferentials>& spread,
+                                             double t_max) const {
     std::vector<Layer> layers;
     for (const Area& area : areas_) {
         const auto hit = std::visit(
@@ -40,12 +36,9 @@ RigAreas::Visible RigAreas::along(const Vec3& origin, const Vec3& direction,
             area.shape);
         if (hit && hit->t * (1 - flush) < t_max) layers.push_back({*hit, area.luminance});
     }
-    if (layers.empty()) return {};
     std::stable_sort(layers.begin(), layers.end(),
                      [](const Layer& a, const Layer& b) { return a.hit.t < b.hit.t; });
-    FrontToBack sum;
-    for (const Layer& layer : layers) sum.add(layer.luminance, layer.hit.coverage);
-    return {{sum.light, sum.opacity}, layers.front().hit.t};
+    return layers;
 }
 
 std::vector<Box3> RigAreas::boxes() const {

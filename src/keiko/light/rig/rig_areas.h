@@ -2,7 +2,6 @@
 
 #include "keiko/light/areas/area_coverage.h"
 #include "keiko/light/rig/light_rig.h"
-#include "keiko/light/rig/rig_planes.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/ray_differentials.h"
 
@@ -15,10 +14,10 @@ namespace keiko {
 /// The panels and spheres of a rig, prepared for camera rays and reflected rays.
 class RigAreas {
 public:
-    /// Panels and spheres along a ray.
-    struct Visible {
-        MirroredLight light; ///< mean over the pixel
-        double t = 0;        ///< distance of the nearest, in lengths of the ray's direction
+    /// A panel or a sphere along a ray.
+    struct Layer {
+        AreaHit hit;   ///< its distance, and the share of the pixel that it fills
+        Rgb luminance; ///< cd/m2
     };
 
     /// A copy of all that is read of the rig is kept.
@@ -27,9 +26,9 @@ public:
     /// True if the rig has none.
     bool empty() const { return areas_.empty(); }
     /// Lights that a ray meets with t up to `t_max`, over the footprint of its pixel if there is a
-    /// `spread`. The nearest is in front of those behind it.
-    Visible along(const Vec3& origin, const Vec3& direction,
-                  const std::optional<RayDifferentials>& spread, double t_max) const;
+    /// `spread`; the nearest first.
+    std::vector<Layer> along(const Vec3& origin, const Vec3& direction,
+                             const std::optional<RayDifferentials>& spread, double t_max) const;
     /// A box around each.
     std::vector<Box3> boxes() const;
 

@@ -143,12 +143,13 @@ void Integrator::add_lights(PathState& path, const PathVertex& met, const Visibl
     const MirroredLight& rows = met.mirror.lamps; // none before the camera
     const auto add_rows = [&] { add_light_at(rows.t, rows, path, ray, shafts, sample); };
     if (areas_.empty()) return add_rows();
-    const RigAreas::Visible areas = areas_.along(ray.origin, ray.direction, ray.differentials,
-                                                 met.hit ? met.hit->t : ray.t_max);
-    const bool areas_first = areas.t < rows.t;
-    if (!areas_first) add_rows();
-    add_light_at(areas.t, areas.light, path, ray, shafts, sample);
-    if (areas_first) add_rows();
+    bool rows_added = false;
+    for (const auto& [hit, luminance] : areas_.along(ray.origin, ray.direction, ray.differentials,
+                                                     met.hit ? met.hit->t : ray.t_max)) {
+        if (!rows_added && rows.t <= hit.t) add_rows(), rows_added = true;
+        add_light_at(hit.t, {luminance * hit.coverage, hit.coverage}, path, ray, shafts, sample);
+    }
+    if (!rows_added) add_rows();
 }
 
 /// Adds lights at t of a ray, and takes what they cover from what is behind.

@@ -104,7 +104,7 @@ TEST(AreaCoverage, DarkFacesAreNotSeen) {
 }
 
 /// The nearest comes first, wherever it stands in the rig; a surface hides what is behind it.
-TEST(RigAreas, NearestIsInFront) {
+TEST(RigAreas, NearestComesFirst) {
     const PolygonLight panel{
         {{-500, -500, 2000}, {500, -500, 2000}, {500, 500, 2000}, {-500, 500, 2000}}, Rgb(7), true};
     LightRig rig;
@@ -113,9 +113,13 @@ TEST(RigAreas, NearestIsInFront) {
     EXPECT_FALSE(areas.empty());
     EXPECT_EQ(areas.boxes().size(), 2U);
     const Vec3 up(0.1, -0.05, 1);
-    EXPECT_EQ(areas.along(Vec3(0), up, {}, 1e9).light.luminance, globe.luminance);
-    EXPECT_EQ(areas.along(Vec3(0, 0, 1300), up, {}, 1e9).light.luminance, panel.luminance);
-    EXPECT_EQ(areas.along(Vec3(0), up, {}, 100).light.coverage, 0);
+    const auto both = areas.along(Vec3(0), up, {}, 1e9);
+    ASSERT_EQ(both.size(), 2U);
+    EXPECT_EQ(both[0].luminance, globe.luminance);
+    EXPECT_EQ(both[1].luminance, panel.luminance);
+    EXPECT_LT(both[0].hit.t, both[1].hit.t);
+    EXPECT_EQ(areas.along(Vec3(0, 0, 1300), up, {}, 1e9).size(), 1U);
+    EXPECT_TRUE(areas.along(Vec3(0), up, {}, 100).empty());
     EXPECT_TRUE(RigAreas(LightRig{}).empty());
 }
 
