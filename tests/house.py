@@ -65,10 +65,11 @@ CHAMBERS = {
         "penumbra": {"luminance"},
         "tubes": {"penumbra"},
         "areas": {"penumbra"},
+        "lines": {"luminance"},
         "spotlight": {"luminance"},
         "fog": {"luminance"},
         "glass": {"luminance", "fog"},
-        "rig": {"tubes", "areas", "spotlight", "fog"},
+        "rig": {"tubes", "areas", "lines", "spotlight", "fog"},
     },
     "files": {
         "toml": set(),

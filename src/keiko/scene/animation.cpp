@@ -65,8 +65,11 @@ std::string fault_of_keys(const MovingNumbers& numbers, const Animation& animati
 
 struct Check {
     void operator()(const CPlane&) const {}
-    template <AreaLight Light>
+    template <ExtendedLight Light>
     void operator()(const Light&) const {}
+    void operator()(const PointSource& light) const {
+        if (!(light.axis.length() > 0)) throw Error("", "animation", "a point has no axis");
+    }
     template <class Lamp>
     void operator()(const Lamp& lamp) const {
         if (lamp.aim == lamp.position) throw Error("", "animation", "a lamp is in its aim");

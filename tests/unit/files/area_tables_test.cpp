@@ -1,5 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/math/polygon.h"
 
 #include <gtest/gtest.h>
 
@@ -97,6 +98,31 @@ TEST(AreaTables, BadPanelsAreNamed) {
     std::string many;
     for (int i = 0; i <= 1000; ++i) many += "[" + std::to_string(i) + ", 0, 0], ";
     EXPECT_EQ(rig_error(corners + "[" + many + "]\n"), at + "must be at most 1000");
+}
+
+/// Six panels that shine outwards, whichever way the edges turn.
+TEST(AreaTables, BoxIsItsFaces) {
+    const std::string box = head + "[[box]]\norigin = [1, 2, 3]\nu = [10, 0, 0]\n";
+    for (const std::string edges :
+         {"v = [0, 20, 0]\nw = [3, 0, 40]\n", "w = [0, 20, 0]\nv = [3, 0, 40]\n"}) {
+        const LightRig rig = parse_rig(box + edges + "luminance = 7\n", "rig.toml");
+        const Vec3 middle = Vec3(1, 2, 3) + Vec3(13, 20, 40) / 2;
+        ASSERT_EQ(rig.sources.size(), 6U);
+        Vec3 sum(0);
+        for (const LightSource& source : rig.sources) {
+            const auto& face = std::get<PolygonLight>(source);
+            EXPECT_EQ(face.luminance, Rgb(7));
+            EXPECT_FALSE(face.shines_at(middle));
+            EXPECT_TRUE(face.shines_at(middle + face.normal() * 100));
+            sum += polygon_normal(face.corners);
+        }
+        EXPECT_LT(sum.length(), 1e-9); // of a closed body
+    }
+    const auto face = only_light<PolygonLight>(box + "v = [0, 20, 0]\nw = [0, 0, 40]\n" +
+                                               "luminous_flux = 100\n");
+    EXPECT_NEAR(face.luminance.r, 100 / (std::numbers::pi * 2800e-6), 1e-6);
+    EXPECT_EQ(rig_error(box + "v = [0, 20, 0]\nw = [5, 6, 0]\n"),
+              "bad.toml:6:5: box[0].w: u, v and w must not lie in a plane");
 }
 
 TEST(AreaTables, BadGlobesAreNamed) {

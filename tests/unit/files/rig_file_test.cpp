@@ -293,14 +293,16 @@ TEST(RigFile, WhatIsMissingOrContradictsIsNamed) {
     EXPECT_EQ(rig_error(head + spot + "edge = \"sfot\"\n"),
               "bad.toml:5:8: spotlight[0].edge: 'sfot' is none of sharp, soft, mixed, power, "
               "polynomial, table (did you mean 'soft'?)");
-    EXPECT_EQ(rig_error(head),
-              "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
-              "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [sun]");
+    EXPECT_EQ(
+        rig_error(head),
+        "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
+        "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [[box]] nor [[point]] nor [[line]] "
+        "nor [sun]");
 }
 
 TEST(RigFile, WhatIsNotSupportedYetSaysSo) {
-    EXPECT_EQ(rig_error(head + whole_plane + "[[point]]\nluminance = 3\n"),
-              "bad.toml:6:1: point: is not supported yet");
+    EXPECT_EQ(rig_error(head + whole_plane + "reflector = 3\n"),
+              "bad.toml:6:13: c_plane[0].reflector: is not supported yet");
 }
 
 TEST(RigFile, AForeignOrBrokenFileIsRefused) {
@@ -331,6 +333,19 @@ TEST(RigFile, EveryRigOfTheFolderLoadsAndStandsInItsTable) {
         EXPECT_EQ(rig_text(parse_rig(rig_text(rig), name)), rig_text(rig)) << name;
     }
     EXPECT_GE(rigs, 4);
+}
+
+/// A car's middle lies before every panel.
+TEST(RigFile, PanelsOfTheReadyRigsShineOnTheBody) {
+    std::size_t panels = 0;
+    for (const std::string name :
+         {"panel-tunnel", "zebra-screen", "cylinder-tunnel", "meridian-dome"})
+        for (const LightSource& source :
+             read_rig(test::repository("lightrigs/" + name + ".toml")).sources) {
+            EXPECT_TRUE(std::get<PolygonLight>(source).shines_at(Vec3(0, 0, 700))) << name;
+            ++panels;
+        }
+    EXPECT_EQ(panels, 7U + 20 + 12 + 72);
 }
 
 TEST(RigFile, NamesWhatLampsAreTakenFor) {

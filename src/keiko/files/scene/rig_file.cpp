@@ -59,6 +59,10 @@ LightRig rig_from(const TomlTable& table) {
     for (const TomlTable& t : table.tables("luminaire")) take(t, luminaire_from(t));
     for (const TomlTable& t : table.tables("polygon")) take(t, polygon_light_from(t));
     for (const TomlTable& t : table.tables("sphere")) take(t, sphere_light_from(t));
+    for (const TomlTable& t : table.tables("box"))
+        for (PolygonLight& face : box_faces_from(t)) take(t, std::move(face));
+    for (const TomlTable& t : table.tables("point")) take(t, point_from(t));
+    for (const TomlTable& t : table.tables("line")) take(t, line_from(t));
     const std::vector<TomlTable> windows = table.tables("window");
     const auto sun = table.table("sun");
     if (sun) take(*sun, sun_from(*sun, windows));
@@ -69,7 +73,7 @@ LightRig rig_from(const TomlTable& table) {
     std::sort(order.begin(), order.end());
     for (const auto& [line, source] : order) rig.sources.push_back(std::move(sources[source]));
     if (const auto fog = table.table("fog")) rig.medium = medium_from(*fog);
-    table.not_yet({"point", "line", "sky"});
+    table.not_yet({"sky"});
     return rig;
 }
 
@@ -84,7 +88,7 @@ LightRig whole_rig(const TomlTable& root) {
         throw root.error(
             "",
             "the rig has no light: neither [[c_plane]] nor [[spotlight]] nor [[luminaire]] "
-            "nor [[polygon]] nor [[sphere]] nor [sun]");
+            "nor [[polygon]] nor [[sphere]] nor [[box]] nor [[point]] nor [[line]] nor [sun]");
     return rig;
 }
 
@@ -121,7 +125,8 @@ struct Text {
     std::string operator()(const Spotlight& light) const { return table_text(light); }
     std::string operator()(const Luminaire& lamp) const { return table_text(lamp, folder); }
     std::string operator()(const Sun& sun) const { return table_text(sun); }
-    template <AreaLight Light>
+    std::string operator()(const PointSource& light) const { return table_text(light); }
+    template <ExtendedLight Light>
     std::string operator()(const Light& light) const {
         return table_text(light);
     }

@@ -3,7 +3,9 @@
 #include "keiko/light/areas/area_lights.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/voxel_density.h"
+#include "keiko/light/lines/line_light.h"
 #include "keiko/light/spotlight/luminaire.h"
+#include "keiko/light/spotlight/point_source.h"
 #include "keiko/light/spotlight/spotlight.h"
 #include "keiko/light/tubes/c_plane.h"
 
@@ -35,6 +37,16 @@ Spotlight spotlight_from(const TomlTable& table);
 /// A [[spotlight]] that reads back as the same lamp.
 std::string table_text(const Spotlight& light);
 
+/// The lamp of a [[point]]. Throws Error with file, line and column.
+PointSource point_from(const TomlTable& table);
+/// A [[point]] that reads back as the same lamp.
+std::string table_text(const PointSource& light);
+
+/// The light of a [[line]]. Throws Error with file, line and column.
+LineLight line_from(const TomlTable& table);
+/// A [[line]] that reads back as the same light.
+std::string table_text(const LineLight& light);
+
 /// The lamp of a [[luminaire]], with its file read. Throws Error with file, line and column.
 Luminaire luminaire_from(const TomlTable& table);
 /// A [[luminaire]] that reads back as the same lamp from a rig in `folder`, which its file is named
@@ -50,6 +62,9 @@ void require_polygon(const TomlTable& table, const std::vector<Vec3>& corners);
 void require_ring(const TomlTable& table, const std::vector<Vec3>& corners);
 /// The line of corners that reads back as the same.
 std::string corners_line(const std::vector<Vec3>& corners);
+
+/// The six faces of a [[box]], which shine outwards. Throws Error with file, line and column.
+std::vector<PolygonLight> box_faces_from(const TomlTable& table);
 
 /// Luminance in cd/m2 of a diffuse source, by `luminance`, or by `luminous_flux` in lm, for which
 /// `of_flux` returns it, times the color; `otherwise` if the table has neither. Throws Error with

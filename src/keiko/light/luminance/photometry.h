@@ -13,6 +13,11 @@ constexpr double metres(double millimetres) {
     return millimetres / 1000;
 }
 
+/// One over metres from one over mm.
+constexpr double per_metre(double per_millimetre) {
+    return per_millimetre * 1000;
+}
+
 /// Illuminance in lx at `distance` mm from a point source of `intensity` cd. `cosine` is that of
 /// the angle between the surface's normal and the direction of the light. It is 0 from behind
 /// (cosine not positive) and at distance 0, where it is undefined.

@@ -1,6 +1,7 @@
 #include "keiko/light/areas/area_gloss.h"
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/fog/transmittance.h"
+#include "keiko/light/luminance/gloss_slice.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/point_light.h"
@@ -86,6 +87,20 @@ private:
         const double share =
             seen < 1 ? visible_gloss_share(gloss, visible_, area_accuracy(in_picture)) : 1;
         return light.luminance * sent * share;
+    }
+
+    /// The intensity is that across the line times cos(eta), and dl / r^2 = d(eta) / distance.
+    Rgb from(const LineLight& light) const {
+        const auto view = view_of(light, point_);
+        if (!view || seen_[0].axis.empty()) return {};
+        const GlossSlice slice(view->along, view->across, kernel_, kernel_.chart());
+        const bool in_picture = quadrature_ == GlossQuadrature::picture;
+        const auto arrives = [&](double eta) { return passed(view->place(eta)); };
+        Rgb sum;
+        for (const ParameterInterval& part : seen_[0].axis)
+            sum += slice.paired(view->above_horizon(part, kernel_.normal()),
+                                in_picture ? picture_error : number_error, arrives);
+        return light.intensity * sum * per_metre(1 / view->distance);
     }
 
     Rgb passed(const Vec3& from) const {

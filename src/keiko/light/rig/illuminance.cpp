@@ -1,11 +1,14 @@
 #include "keiko/light/areas/area_integral.h"
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/fog/transmittance.h"
+#include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_slices.h"
+#include "keiko/math/quadrature.h"
 
+#include <cmath>
 #include <numbers>
 #include <span>
 #include <vector>
@@ -15,6 +18,8 @@ namespace {
 
 /// Number of pieces of a visible part of a lamp, each attenuated by one distance.
 constexpr int pieces_in_fog = 8;
+/// Relative error of a line's light that passes a coat or a medium.
+constexpr double line_error = 1e-6;
 constexpr double pi = std::numbers::pi;
 
 /// Illuminance of the point by some lamps of a source.
@@ -67,6 +72,26 @@ private:
         if (!way || seen_[0].axis.empty()) return {};
         return sun.illuminance * passed(point_ + sun.towards() * *way) *
                (cosine * (coat_ ? coat_->entering(cosine) : 1));
+    }
+
+    Rgb from(const LineLight& light) const {
+        const auto view = view_of(light, point_);
+        if (!view || seen_[0].axis.empty()) return {};
+        if (!coat_ && !medium_)
+            return light.intensity * unit_illuminance(*view, normal_, seen_[0].axis);
+        const auto arrives = [&](double eta) {
+            const Vec3 way = view->direction(eta);
+            const double cosine = normal_.dot(way);
+            return passed(view->place(eta)) *
+                   (cosine * std::cos(eta) * (coat_ ? coat_->entering(cosine) : 1));
+        };
+        Rgb sum;
+        for (const ParameterInterval& part : seen_[0].axis) {
+            const ParameterInterval above = view->above_horizon(part, normal_);
+            if (above.begin < above.end)
+                sum += integrate_paired(arrives, Breakpoints(above.begin, above.end), line_error);
+        }
+        return light.intensity * sum * per_metre(1 / view->distance);
     }
 
     /// Illuminance by the whole source times its visible share. The transmittance of a coat and of

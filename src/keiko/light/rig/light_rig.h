@@ -4,13 +4,16 @@
 #include "keiko/light/areas/area_lights.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/window_beam.h"
+#include "keiko/light/lines/line_light.h"
 #include "keiko/light/spotlight/luminaire.h"
+#include "keiko/light/spotlight/point_source.h"
 #include "keiko/light/spotlight/spotlight.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
 #include <algorithm>
+#include <concepts>
 #include <optional>
 #include <string>
 #include <variant>
@@ -43,7 +46,12 @@ struct Sun {
 };
 
 /// Every kind of light source a rig can hold.
-using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun, PolygonLight, SphereLight>;
+using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun, PolygonLight, SphereLight,
+                                 PointSource, LineLight>;
+
+/// Lights with an extent that are no rows of tubes. They light surfaces alone, and no medium.
+template <class Light>
+concept ExtendedLight = AreaLight<Light> || std::same_as<Light, LineLight>;
 
 /// All lights of a scene and the air between them. Placement writes one, every picture reads one.
 struct LightRig {

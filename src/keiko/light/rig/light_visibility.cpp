@@ -69,9 +69,16 @@ public:
         return {{share > 0 ? IntervalSet::whole() : IntervalSet(), share}};
     }
 
+    std::vector<LightVisibility> operator()(const LineLight& light) const {
+        const auto view = view_of(light, point_);
+        if (!view || !(unit_illuminance(*view, normal_) > 0)) return {{{}, 0, 0}};
+        return {seen_along(queried_line(light, point_))};
+    }
+
 private:
-    LightVisibility seen_at(const Vec3& place) const {
-        const IntervalSet seen = visible_.intervals({place, place});
+    LightVisibility seen_at(const Vec3& place) const { return seen_along({place, place}); }
+    LightVisibility seen_along(const Segment& segment) const {
+        const IntervalSet seen = visible_.intervals(segment);
         return {seen, seen.empty() ? 0.0 : 1.0};
     }
     std::vector<LightVisibility> along_axes(std::span<const TubeLamp> lamps) const {

@@ -15,7 +15,7 @@ struct InLight {
     /// A lamp's own glow in the medium is left out: it is spread widely enough for `ambient` to
     /// represent it.
     IntervalSet operator()(const CPlane&) const { return {}; }
-    template <AreaLight Light>
+    template <ExtendedLight Light>
     IntervalSet operator()(const Light&) const {
         return {};
     }
@@ -60,6 +60,13 @@ PointEmitter emitter_of(const Luminaire& luminaire, const Segment& ray) {
     return emitter;
 }
 
+PointEmitter emitter_of(const PointSource& light, const Segment&) {
+    PointEmitter emitter{light.position,
+                         [&light](const Vec3& point) { return intensity_towards(light, point); }};
+    if (light.distribution == PointDistribution::uniform) emitter.even = light.intensity;
+    return emitter;
+}
+
 /// Light of one source that the medium scatters into the camera ray.
 struct Inscatter {
     const AttenuatedRay& ray;
@@ -67,7 +74,7 @@ struct Inscatter {
     double tolerance;
 
     Rgb operator()(const CPlane&) const { return {}; }
-    template <AreaLight Light>
+    template <ExtendedLight Light>
     Rgb operator()(const Light&) const {
         return {};
     }
@@ -118,7 +125,7 @@ struct DepthTo {
     const Vec3& place;
 
     std::optional<Rgb> operator()(const CPlane&) const { return std::nullopt; }
-    template <AreaLight Light>
+    template <ExtendedLight Light>
     std::optional<Rgb> operator()(const Light&) const {
         return std::nullopt;
     }

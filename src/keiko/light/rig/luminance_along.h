@@ -13,7 +13,7 @@ namespace keiko {
 using VisibleFrom = std::function<IntervalSet(std::size_t source, const Segment& segment)>;
 
 /// Parts of a camera ray that a source lights in the medium, without occlusion: in the beam of a
-/// spotlight or luminaire, or behind the windows of a sun. Empty if it lights no medium.
+/// spotlight, luminaire or point, or behind the windows of a sun. Empty if it lights no medium.
 IntervalSet in_light(const LightSource& source, const Segment& camera_ray);
 
 /// Luminance in cd/m2 of a camera ray that ends on a surface with luminance `surface`

@@ -54,7 +54,7 @@ struct Holds {
         return light.position == point;
     }
     bool operator()(const Sun&) const { return false; }
-    template <AreaLight Light>
+    template <ExtendedLight Light>
     bool operator()(const Light& light) const {
         return holds(light, point);
     }

@@ -28,7 +28,8 @@ struct LampRow {
 class PreparedSource {
 public:
     /// Kinds of sources in the order of LightSource.
-    using Kind = std::variant<LampRow, Spotlight, Luminaire, Sun, PolygonLight, SphereLight>;
+    using Kind = std::variant<LampRow, Spotlight, Luminaire, Sun, PolygonLight, SphereLight,
+                              PointSource, LineLight>;
 
     template <std::convertible_to<LightSource> Source>
     PreparedSource(const Source& source) : kind_(prepare(source)) {}
@@ -54,8 +55,8 @@ struct PreparedRig {
     PreparedRig(LightRig&&) = delete;
 };
 
-/// True if a point (mm) lies inside the glass of one of the tubes of a source, inside a sphere, on
-/// a panel, or at a point light, where its light is undefined. The glass itself is outside.
+/// True if the light of a source is undefined at a point (mm): inside the glass of one of its
+/// tubes, inside a sphere, on a panel or a line, and at a point light. The glass itself is outside.
 bool within_lamp(const PreparedSource& source, const Vec3& point);
 
 } // namespace keiko

@@ -3,6 +3,7 @@
 #include "keiko/geometry/rays/visibility.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/spotlight/luminaire.h"
+#include "keiko/light/spotlight/point_source.h"
 #include "keiko/light/spotlight/spotlight.h"
 
 #include <concepts>
@@ -39,7 +40,8 @@ std::vector<double> intensity_kinks(const Luminaire& luminaire, const Segment& s
 
 /// Light without extent; it has a position, `intensity_towards` and `in_beam`.
 template <class T>
-concept PointLight = std::same_as<T, Spotlight> || std::same_as<T, Luminaire>;
+concept PointLight =
+    std::same_as<T, Spotlight> || std::same_as<T, Luminaire> || std::same_as<T, PointSource>;
 
 /// Illuminance in lx at a `point` to which the light is visible, on a surface with unit `normal`; 0
 /// from behind (docs/theory/spotlights.md#frame-and-illuminance).

@@ -39,6 +39,7 @@ struct Corners {
         return {light.position};
     }
     std::vector<Vec3> operator()(const Sun& sun) const { return {sun.seen_from(point)}; }
+    std::vector<Vec3> operator()(const LineLight& light) const { return {light.a, light.b}; }
     template <AreaLight Light>
     std::vector<Vec3> operator()(const Light& light) const {
         return bounds_of(light);

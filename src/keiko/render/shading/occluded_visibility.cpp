@@ -25,6 +25,7 @@ struct ViewpointOf {
         return Viewpoint::at(light.corners.front());
     }
     Viewpoint operator()(const SphereLight& light) const { return Viewpoint::at(light.center); }
+    Viewpoint operator()(const LineLight& light) const { return Viewpoint::at(light.a); }
 };
 
 /// Parts of the rays that a source lights without occlusion, as luminance_along queries them.
@@ -59,7 +60,7 @@ struct PencilLight {
         return light.shaft ? std::optional(light.position) : std::nullopt;
     }
     std::optional<Vec3> operator()(const Sun&) const { return std::nullopt; }
-    template <AreaLight Light>
+    template <ExtendedLight Light>
     std::optional<Vec3> operator()(const Light&) const {
         return std::nullopt;
     }
