@@ -81,7 +81,7 @@ private:
                        tone_ = "linear", frames_, pull_, section_, stereo_;
     double eye_distance_ = Stereo().eye_distance;
     std::optional<double> ev_, draft_, radius_, screen_distance_;
-    std::vector<const CLI::Option*> of_lamps_; ///< options that only pictures under the lamps use
+    std::vector<const CLI::Option*> of_lamps_;  ///< options that only pictures under the lamps use
     Vec3 viewed_across_ = ChosenMode().section; ///< --section of the analysis's view
     const CLI::Option *rig_ = nullptr, *stated_look_ = nullptr;
 };

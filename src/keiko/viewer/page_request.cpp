@@ -15,7 +15,7 @@ constexpr std::int64_t most_pixels = 1 << 23;
 
 std::string client_of(const HttpRequest& request) {
     constexpr std::size_t longest = 64;
-    const std::string name = request.header("x-keiko-client");
+    std::string name = request.header("x-keiko-client");
     const bool plain = std::all_of(name.begin(), name.end(), [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
                c == '-';
