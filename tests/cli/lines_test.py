@@ -51,6 +51,16 @@ class Lines(KeikoTest):
         self.assertIn("B_SPLINE_CURVE_WITH_KNOTS", step)
         self.assertGreaterEqual(iges.count("     126 "), len(found["lines"]))
 
+    def test_curves_have_the_same_bytes_in_each_run(self):
+        for name in "step", "igs":
+            runs = set()
+            for number in range(4):  # of addresses that change, some agree by chance
+                file = self.folder / f"{number}.{name}"
+                self.succeed("lines", surface("rational-sphere.step"), "--rig", TUNNEL, "--contours",
+                             "--curves", file.name, "-o", "lines.json", "-q")
+                runs.add(file.read_bytes())
+            self.assertEqual(len(runs), 1, name)
+
     def test_contours_of_the_views_go_out_among_the_curves(self):
         # A sphere of 100 mm: its contour is a circle on it, in one view of one octant after the other.
         run = self.keiko("lines", surface("rational-sphere.step"), "--rig", TUNNEL, "--view", "high-front",

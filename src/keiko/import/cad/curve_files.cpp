@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/import/cad/assembly.h"
+#include "keiko/import/cad/curve_styles.h"
 #include "keiko/import/cad/shape_attributes.h"
 
 #include <APIHeaderSection_MakeHeader.hxx>
@@ -95,20 +96,20 @@ TopoDS_Shape shape_of(const NamedCurve& curve) {
     return compound;
 }
 
-opencascade::handle<TDocStd_Document> document_of(const CurveSet& set) {
-    auto document = new_document();
-    const auto shapes = XCAFDoc_DocumentTool::ShapeTool(document->Main());
-    const auto colors = XCAFDoc_DocumentTool::ColorTool(document->Main());
-    for (const NamedCurve& curve : set.curves) {
-        const TDF_Label label = shapes->AddShape(shape_of(curve), false);
-        TDataStd_Name::Set(label, TCollection_ExtendedString(curve.name.c_str(), true));
-        if (!curve.color) continue;
-        const Quantity_Color color(curve.color->r, curve.color->g, curve.color->b,
-                                   Quantity_TOC_RGB);
-        colors->SetColor(label, color, XCAFDoc_ColorCurv);
+/// Curves of a set as OpenCASCADE has them, with their names.
+struct CurveDocument {
+    std::vector<TopoDS_Shape> shapes; ///< one a curve
+    opencascade::handle<TDocStd_Document> document = new_document();
+
+    explicit CurveDocument(const CurveSet& set) {
+        const auto tool = XCAFDoc_DocumentTool::ShapeTool(document->Main());
+        for (const NamedCurve& curve : set.curves) {
+            shapes.push_back(shape_of(curve));
+            const TDF_Label label = tool->AddShape(shapes.back(), false);
+            TDataStd_Name::Set(label, TCollection_ExtendedString(curve.name.c_str(), true));
+        }
     }
-    return document;
-}
+};
 
 constexpr const char* all_digits = "%.16E"; // reads back as the same number but for its last bit
 
@@ -137,15 +138,16 @@ void set_header(IGESData_IGESModel& model, const std::string& name) {
     model.SetGlobalSection(section);
 }
 
-std::string step_bytes(const opencascade::handle<TDocStd_Document>& document,
-                       const std::string& name) {
+std::string step_bytes(const CurveSet& set) {
+    const CurveDocument curves(set);
     STEPCAFControl_Writer writer;
     writer.SetNameMode(true);
-    writer.SetColorMode(true);
-    if (!writer.Transfer(document, STEPControl_AsIs))
+    writer.SetColorMode(false);
+    if (!writer.Transfer(curves.document, STEPControl_AsIs))
         throw Error("", "", "OpenCASCADE writes no STEP file of it");
+    add_step_colors(writer, set, curves.shapes);
     const auto model = writer.ChangeWriter().Model();
-    set_header(*model, name);
+    set_header(*model, set.name);
     StepData_StepWriter text(model);
     text.FloatWriter().SetFormat(all_digits);
     text.FloatWriter().SetFormatForRange(all_digits, 0, 0);
@@ -155,14 +157,16 @@ std::string step_bytes(const opencascade::handle<TDocStd_Document>& document,
     return bytes.str();
 }
 
-std::string iges_bytes(const opencascade::handle<TDocStd_Document>& document,
-                       const std::string& name) {
+std::string iges_bytes(const CurveSet& set) {
+    const CurveDocument curves(set);
     IGESCAFControl_Writer writer;
-    writer.SetNameMode(true);
-    writer.SetColorMode(true);
-    if (!writer.Transfer(document)) throw Error("", "", "OpenCASCADE writes no IGES file of it");
+    writer.SetNameMode(false);
+    writer.SetColorMode(false);
+    if (!writer.Transfer(curves.document))
+        throw Error("", "", "OpenCASCADE writes no IGES file of it");
+    add_iges_names_and_colors(writer, set, curves.shapes);
     writer.ComputeModel();
-    set_header(*writer.Model(), name);
+    set_header(*writer.Model(), set.name);
     IGESData_IGESWriter text(writer.Model());
     text.FloatWriter().SetFormat(all_digits);
     text.FloatWriter().SetFormatForRange(all_digits, 0, 0);
@@ -227,9 +231,7 @@ NamedCurve named_curve(const TDF_Label& label, XCAFDoc_ColorTool& colors) {
 } // namespace
 
 std::string curve_file(const CurveSet& set, ModelFormat format) {
-    const auto document = document_of(set);
-    return format == ModelFormat::step ? step_bytes(document, set.name)
-                                       : iges_bytes(document, set.name);
+    return format == ModelFormat::step ? step_bytes(set) : iges_bytes(set);
 }
 
 CurveSet read_curves(const std::filesystem::path& path, ModelFormat format) {
