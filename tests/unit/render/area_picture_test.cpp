@@ -111,21 +111,50 @@ TEST(AreaPicture, SameBytesForAnyNumberOfThreads) {
     EXPECT_EQ(stage.render({}, 1).color.values, stage.render({}, 3).color.values);
 }
 
+/// Picture of a plate beside a wall under the sky, with shadows.
+Film beside_wall(Stage& stage) {
+    stage.rig.sources = {sky};
+    const Occluders occluders(stage.model, stage.tracer);
+    return render({.tracer = stage.tracer,
+                   .materials = stage.materials,
+                   .rig = stage.rig,
+                   .background = Rgb(7),
+                   .occluders = &occluders},
+                  stage.camera, {}, {});
+}
+
+/// The plate with a wall from a corner along `along`, as high as the sky.
+Stage plate_and_wall(const Vec3& corner, const Vec3& along, double refractive_index) {
+    test::ModelBuilder builder;
+    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
+    builder.plane(corner, along, {0, 0, 1999});
+    return Stage(builder.build(), refractive_index);
+}
+
+/// A narrow lobe shows all of the sky or nothing, though half of the sky's light is hidden.
+TEST(AreaPicture, LobeHasTheShareThatIsVisibleInIt) {
+    const auto seen = [](const Vec3& corner, const Vec3& along, int x, int y) {
+        Stage stage = plate_and_wall(corner, along, 1.5);
+        for (Material& material : stage.materials) {
+            material.diffuse = Rgb(0);
+            material.roughness = Roughness{DistributionKind::phong, 2000, GlossMode::lobe};
+        }
+        const Film film = beside_wall(stage);
+        const Ray ray = stage.camera.ray(x + 0.5, y + 0.5);
+        return green(film, x, y) /
+               (100 * fresnel_dielectric(-ray.direction.z / ray.direction.length(), 1.5));
+    };
+    // To the right of the ray, which runs away from the wall.
+    EXPECT_NEAR(seen({0.5, -5e5, 0}, {0, 1e6, 0}, 30, 27), 1, 0.01);
+    // Across the ray, which ends at the wall.
+    EXPECT_NEAR(seen({-5e5, 0.5, 0}, {1e6, 0, 0}, 48, 28), 0, 0.01);
+}
+
 /// A wall as high as the sky hides all that is beyond, (1 - sin b) / 2 of the light where its top
 /// is b from the vertical.
 TEST(AreaPicture, WallHidesTheSkyBeyond) {
-    test::ModelBuilder builder;
-    builder.plane({-1000, -1000, 0}, {2000, 0, 0}, {0, 2000, 0});
-    builder.plane({-5e5, 0.5, 0}, {1e6, 0, 0}, {0, 0, 1999});
-    Stage stage(builder.build(), 1);
-    stage.rig.sources = {sky};
-    const Occluders occluders(stage.model, stage.tracer);
-    const Film film = render({.tracer = stage.tracer,
-                              .materials = stage.materials,
-                              .rig = stage.rig,
-                              .background = Rgb(7),
-                              .occluders = &occluders},
-                             stage.camera, {}, {});
+    Stage stage = plate_and_wall({-5e5, 0.5, 0}, {1e6, 0, 0}, 1);
+    const Film film = beside_wall(stage);
     const Ray ray = PreparedCamera(stage.camera).rays(std::array{Vec2(48.5, 28.5)}).front();
     const double away = 0.5 - ray.at(-ray.origin.z / ray.direction.z).y;
     EXPECT_NEAR(green(film, 48, 28), 10 * (1 + away / std::hypot(away, 2000)), 0.01);

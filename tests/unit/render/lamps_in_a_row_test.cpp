@@ -70,7 +70,7 @@ double green_along(const Vec3& from, const Vec3& way, const LightRig& rig, bool 
 }
 
 /// Pixels that differ from the mean over many rays by more than `small`, and by how much. The rays
-/// are a lattice of which no row is along a side of a lamp.
+/// are a lattice without rows along the sides of a lamp.
 struct Difference {
     double largest = 0;
     int many = 0, compared = 0;

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -21,7 +23,11 @@ public:
     /// Prepares the integral: measures the lobe at the source's nearest place to the peak. Pairs of
     /// rules agree within `relative` of the whole. References to both are kept.
     AreaGloss(const AreaWidth& width, const Kernel& kernel, double relative)
-        : width_(width), kernel_(kernel), chart_(kernel.chart()), relative_(relative) {
+        : width_(width),
+          kernel_(kernel),
+          chart_(kernel.chart()),
+          relative_(relative),
+          cone_(kernel.cone(omitted * relative)) {
         approach();
     }
 
@@ -53,10 +59,10 @@ public:
         return cuts;
     }
     double place_in(const Vec3& way) const override { return width_.place_in(way); }
-    /// Spread of the lobe across the lines, as a share of half the width.
-    double spread() const { return spread_; }
 
 private:
+    static constexpr double omitted = 0.01; ///< of the error: share of the peak that is nothing
+
     static Rgb all_of_it(double /*eta*/) { return Rgb(1); }
 
     template <class PassedOn>
@@ -74,12 +80,26 @@ private:
     template <class Passed>
     Rgb in_half_plane(const SubAxis& axis, const std::vector<ParameterInterval>& elevations,
                       const Passed& passed) const {
-        const GlossSlice slice(width_.along(), width_.direction(axis, 0), kernel_, chart_);
+        const Vec3 level = width_.direction(axis, 0);
+        const auto lobe = elevations_in_cone(level);
+        if (!lobe) return {};
+        const GlossSlice slice(width_.along(), level, kernel_, chart_);
         Rgb sum;
         for (const ParameterInterval& part : elevations)
-            sum += slice.paired({2 * std::atan(part.begin), 2 * std::atan(part.end)}, relative_,
-                                passed);
+            sum += slice.paired({std::max(2 * std::atan(part.begin), lobe->begin),
+                                 std::min(2 * std::atan(part.end), lobe->end)},
+                                relative_, passed);
         return sum;
+    }
+    /// Range of elevations that contains those of the cone in the half-plane through `level`;
+    /// nullopt if the cone does not reach it.
+    std::optional<ParameterInterval> elevations_in_cone(const Vec3& level) const {
+        constexpr double quarter = std::numbers::pi / 2;
+        if (!(cone_ < quarter)) return ParameterInterval{-quarter, quarter};
+        const Vec3 &along = width_.along(), &peak = kernel_.peak();
+        if (std::abs(level.cross(along).dot(peak)) > std::sin(cone_)) return std::nullopt;
+        const double eta = std::atan2(along.dot(peak), level.dot(peak));
+        return ParameterInterval{eta - cone_, eta + cone_};
     }
     Breakpoints about_peak(double begin, double end) const {
         Breakpoints range(begin, end);
@@ -105,6 +125,7 @@ private:
     const Kernel& kernel_;
     LobeChart chart_;
     double relative_;
+    double cone_;                  ///< half angle, radians, beyond which the lobe is left out
     double peak_ = 0, spread_ = 1; ///< place of the lobe's peak, and its spread in places
 };
 
@@ -113,7 +134,9 @@ private:
 template <class Kernel>
 double visible_gloss_share(const AreaGloss<Kernel>& gloss, const Visibility& visible,
                            WidthOptions options) {
-    options.tolerance *= std::min(1.0, gloss.spread());
+    // The rule shares the tolerance out over some eight spreads of the peak's brightness, which are
+    // four times as much as the lobe.
+    options.tolerance /= 4;
     return visible_share(gloss, visible, options);
 }
 

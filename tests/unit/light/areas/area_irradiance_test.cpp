@@ -149,7 +149,9 @@ struct CosineKernel {
     Vec3 normal;
 
     Rgb operator()(const Vec3& light) const { return Rgb(std::max(normal.dot(light), 0.0)); }
+    const Vec3& peak() const { return normal; }
     LobeChart chart() const { return {normal, 1}; }
+    double cone(double) const { return pi; }
 };
 
 /// A star of a panel around a place, with `tips` tips.
