@@ -22,7 +22,7 @@ struct LineLight {
 
 /// A line viewed from a point, by elevations from the perpendicular to it.
 struct LineView {
-    Vec3 point{0};
+    Vec3 point{0};       ///< mm, from which the line is viewed
     Vec3 along{0};       ///< unit, from end a to end b
     Vec3 across{0};      ///< unit, from the point to the foot on the line
     double distance = 0; ///< mm, of the foot, above 0
