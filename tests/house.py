@@ -69,7 +69,8 @@ CHAMBERS = {
         "spotlight": {"luminance"},
         "fog": {"luminance"},
         "glass": {"luminance", "fog"},
-        "rig": {"tubes", "areas", "lines", "spotlight", "fog"},
+        "sky": {"areas", "fog"},
+        "rig": {"tubes", "areas", "lines", "spotlight", "fog", "sky"},
     },
     "files": {
         "toml": set(),

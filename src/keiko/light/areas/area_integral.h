@@ -8,11 +8,13 @@
 
 namespace keiko {
 
+// A `Width` is an AreaWidth, or anything else with the members that are called here.
+
 /// Mean over a source of what `of(place)` of its places passes on, weighted by their light on the
 /// surface element; 0 for a source that sends none. Gauss's rule of 6 nodes across each part of the
 /// width and along each line: to 1e-3 through a coat and a uniform medium of some depths.
-template <class F>
-auto mean_over(const AreaWidth& width, const F& of) {
+template <class Width, class F>
+auto mean_over(const Width& width, const F& of) {
     constexpr int nodes = 6;
     decltype(of(Vec3())) sum{};
     double all = 0;
