@@ -1,6 +1,7 @@
 #include "keiko/render/tiles.h"
 
 #include "keiko/light/rig/rig_areas.h"
+#include "keiko/light/rig/rig_sky.h"
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/scene/camera.h"
 
@@ -112,8 +113,8 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height) {
 }
 
 PictureRays::PictureRays(const PictureScene& scene, const Camera& seen_by) : camera(seen_by) {
-    // In a medium, rays that miss the scene show it too.
-    if (scene.rig.medium) return;
+    // Rays that miss the scene show a medium and the sky, too.
+    if (scene.rig.medium || !RigSky(scene.rig).empty()) return;
     const std::span<const Box3> surfaces = scene.tracer.boxes();
     std::vector<Box3> boxes = RigAreas(scene.rig).boxes();
     boxes.insert(boxes.end(), surfaces.begin(), surfaces.end());

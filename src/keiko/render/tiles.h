@@ -51,7 +51,8 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height);
 /// The camera rays of a picture.
 struct PictureRays {
     PreparedCamera camera; ///< that the rays come from
-    /// Pixels that may show the model, others show only the background; nullopt in a medium.
+    /// Pixels that may show the model, others show only the background; nullopt in a
+    /// medium and below a sky.
     std::optional<ScreenBounds> cover;
 
     /// Rays of a camera into a scene.

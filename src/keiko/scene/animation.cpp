@@ -65,6 +65,10 @@ std::string fault_of_keys(const MovingNumbers& numbers, const Animation& animati
 
 struct Check {
     void operator()(const CPlane&) const {}
+    void operator()(const SkyLight& sky) const {
+        if (sky.model == SkyModel::clear && !(sky.sun.z > 0))
+            throw Error("", "animation", "the sun of a clear sky is not above the horizon");
+    }
     template <ExtendedLight Light>
     void operator()(const Light&) const {}
     void operator()(const PointSource& light) const {
@@ -132,6 +136,15 @@ void carry_references(SceneSpec& scene, double frame) {
     }
 }
 
+/// Keeps the bright part of a clear sky around a sun that moves.
+void follow_sun(LightRig& rig) {
+    const Sun* sun = nullptr;
+    for (const LightSource& source : rig.sources)
+        if (const auto* found = std::get_if<Sun>(&source)) sun = found;
+    for (LightSource& source : rig.sources)
+        if (auto* sky = std::get_if<SkyLight>(&source); sky && sun) sky->sun = sun->towards();
+}
+
 } // namespace
 
 std::optional<AnimationFault> animation_fault(SceneSpec& scene, const Animation& animation) {
@@ -151,6 +164,7 @@ SceneSpec at_frame(SceneSpec scene, double frame) {
         for (std::size_t i = 0; i < numbers.places.size(); ++i)
             *numbers.places[i] = value[value.size() == 1 ? 0 : i];
     }
+    if (scene.rig && animation_of(scene, "sun.direction")) follow_sun(*scene.rig);
     require_picture(scene);
     carry_references(scene, frame);
     return scene;

@@ -51,6 +51,12 @@ MovingNumbers numbers_of(Sun& sun, std::string_view key) {
     return {};
 }
 
+MovingNumbers numbers_of(SkyLight& sky, std::string_view key) {
+    if (key == "luminance") return of(sky.luminance);
+    if (key == "ground") return of(sky.ground);
+    return {};
+}
+
 MovingNumbers numbers_of(Medium& medium, std::string_view key) {
     if (key == "extinction") return of(medium.extinction, thickest);
     if (key == "ambient") return of(medium.ambient);
@@ -124,6 +130,7 @@ MovingNumbers numbers_of(SceneSpec& scene, const std::string& name) {
         return model ? numbers_of(scene.models[target.number], target.key) : MovingNumbers();
     }
     if (target.table == "sun") return numbers_in(source_of<Sun>(scene, 0), target.key);
+    if (target.table == "sky") return numbers_in(source_of<SkyLight>(scene, 0), target.key);
     if (target.table == "camera")
         return numbers_in(scene.camera ? &*scene.camera : nullptr, target.key);
     if (target.table == "fog" && scene.rig && scene.rig->medium)
@@ -135,7 +142,7 @@ namespace {
 
 /// All parts of a scene that may have something that moves, as a file names them.
 std::vector<std::string> parts_of(const SceneSpec& scene) {
-    std::vector<std::string> parts{"camera", "fog", "sun"};
+    std::vector<std::string> parts{"camera", "fog", "sky", "sun"};
     const auto add = [&](const std::string& table, std::size_t count) {
         for (std::size_t i = 0; i < count; ++i) parts.push_back(table + "." + std::to_string(i));
     };

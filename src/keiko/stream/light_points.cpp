@@ -24,7 +24,7 @@ struct Piece : RowPiece {
 /// "c_plane.0", "c_plane.1", "spotlight.0", "sum": kinds in the order of LightSource.
 std::vector<std::string> columns_of(const LightRig& rig) {
     constexpr std::array<std::string_view, std::variant_size_v<LightSource>> kinds{
-        "c_plane", "spotlight", "luminaire", "sun", "polygon", "sphere", "point", "line"};
+        "c_plane", "spotlight", "luminaire", "sun", "polygon", "sphere", "point", "line", "sky"};
     static_assert(!kinds.back().empty(), "each kind of light has a name");
     std::array<int, kinds.size()> counts{};
     std::vector<std::string> columns;

@@ -297,7 +297,7 @@ TEST(RigFile, WhatIsMissingOrContradictsIsNamed) {
         rig_error(head),
         "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
         "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [[box]] nor [[point]] nor [[line]] "
-        "nor [sun]");
+        "nor [sun] nor [sky]");
 }
 
 TEST(RigFile, WhatIsNotSupportedYetSaysSo) {

@@ -191,7 +191,7 @@ TEST(SpotlightFile, WhatIsWrongIsNamedWithItsPlace) {
     EXPECT_EQ(rig_error(fog + "phase = { kind = \"isotropic\", g = 0.1 }\n"),
               "bad.toml:7:35: fog.phase.g: belongs to kind = \"henyey-greenstein\" alone");
     EXPECT_EQ(rig_error(spot + "[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 0, 1]]\n"),
-              "bad.toml:5:1: window: lets in no light without [sun]");
+              "bad.toml:5:1: window: lets in no light without [sun] or [sky]");
     EXPECT_EQ(rig_error(sun + "[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 2, 0]]\n"),
               "bad.toml:6:11: window[0].corners: enclose no area");
     EXPECT_EQ(

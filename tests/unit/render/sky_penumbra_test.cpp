@@ -1,11 +1,16 @@
 #include "keiko/light/sky/sky_irradiance.h"
-#include "keiko/math/polygon.h"
+#include "keiko/math/axes.h"
+#include "keiko/math/quadrature.h"
 #include "keiko/render/shading/occluded_visibility.h"
 
+#include "tests/support/analytic_models.h"
 #include "tests/support/model_builder.h"
 #include "tests/support/oracle.h"
 #include "tests/support/sky_row.h"
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -76,6 +81,56 @@ TEST(SkyPenumbra, WindowWithAPlateOutsideMeetsTheOracle) {
             << row.id();
     }
     EXPECT_GE(plates, 5);
+}
+
+/// Light of a sky that a cone of directions sends, by quadrature around its axis.
+double from_cone(const SkyLight& sky, const Vec3& axis, double half_angle, const Vec3& normal) {
+    const SkyDistribution shares(sky);
+    const Vec3 x = any_perpendicular(axis).normalized(), y = axis.cross(x);
+    constexpr int spokes = 180;
+    return integrate(
+        [&](double theta) {
+            double ring = 0;
+            for (int i = 0; i < spokes; ++i) {
+                const double phi = i * 2 * std::numbers::pi / spokes;
+                const Vec3 across = x * std::cos(phi) + y * std::sin(phi);
+                const Vec3 w = axis * std::cos(theta) + across * std::sin(theta);
+                ring += std::max(0.0, normal.dot(w)) * shares(w);
+            }
+            return ring * std::sin(theta) * 2 * std::numbers::pi / spokes;
+        },
+        0, half_angle, 48);
+}
+
+/// A ball in the sky hides a cone of it, which does not reach the horizon, from level and tilted
+/// surfaces; over borders between quarters too.
+TEST(SkyPenumbra, BallHidesItsConeOfTheOpenSky) {
+    for (const SkyModel model :
+         {SkyModel::uniform, SkyModel::overcast, SkyModel::gradient, SkyModel::clear})
+        for (const Vec3& center : {Vec3(900, 200, 1500), Vec3(-700, 800, 1200)}) {
+            constexpr double radius = 600;
+            SkyLight sky{model, Rgb(1)};
+            sky.horizon = 2, sky.sun = Vec3(-0.4, -0.6, 0.5).normalized();
+            const SurfaceModel ball = sphere_model(stretched(Vec3(radius), {0, 0, 1}, center));
+            const Tracer tracer(ball);
+            const Occluders occluders(ball, tracer);
+            for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.28, 0.36, 0.89).normalized()}) {
+                double lx = 0, all = 0;
+                for (int i = 0; i < panel_count(sky); ++i) {
+                    const SkyPanel panel = *sky_panel(sky, i, Vec3(0));
+                    const OccludedVisibility visible(&occluders, tracer, Viewpoint::at(Vec3(0)),
+                                                     panel.outline.corners, {}, normal);
+                    const double whole = illuminance_from(sky, panel, Vec3(0), normal).r;
+                    all += whole;
+                    lx += whole *
+                          visible_share(sky, panel, Vec3(0), normal, visible, {5e-5, 0.12, true});
+                }
+                const double hidden = from_cone(sky, center.normalized(),
+                                                std::asin(radius / center.length()), normal);
+                EXPECT_NEAR(lx, all - hidden, 1e-4 * all) << static_cast<int>(model);
+                EXPECT_GT(hidden, 0.02 * all);
+            }
+        }
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <sstream>
 
 namespace keiko {
@@ -86,6 +87,22 @@ TEST(LightPoints, PanelsAndSpheresHaveColumnsAndShadows) {
     const double free = illuminance_from(globe, {}, Vec3(0), {0, 0, 1}, Unoccluded()).g;
     EXPECT_NEAR(lit.lux[1], free, 1e-12 * free);
     EXPECT_NEAR(lit.lux[2], lit.lux[0] + lit.lux[1], 1e-9);
+}
+
+/// The board hides what it would send as a panel of the sky's luminance, of each quarter a part.
+TEST(LightPoints, SkyHasAColumnAndShadows) {
+    const PolygonLight board{
+        {{0, -500, 450}, {500, -500, 450}, {500, 500, 450}, {0, 500, 450}}, Rgb(1), true};
+    const double covered = illuminance_from(board, {}, Vec3(0), {0, 0, 1}, Unoccluded()).g;
+    LightRig rig;
+    rig.sources = {SkyLight{SkyModel::uniform, Rgb(1000)}};
+    const Scene scene = scene_under(rig, true);
+    const PointIlluminance lit = illuminance_at(
+        scene, *scene.rig, std::array{Ray{.origin = Vec3(0), .direction = Vec3(0, 0, 1)}}, {});
+    EXPECT_EQ(lit.columns, (std::vector<std::string>{"sky.0", "sum"}));
+    const double whole = 1000 * std::numbers::pi;
+    EXPECT_NEAR(lit.lux[0], whole - 1000 * covered, 1e-4 * whole);
+    EXPECT_GT(covered, 0.5);
 }
 
 /// Coordinates of points on a surface are often written with a few digits only.

@@ -5,41 +5,41 @@
 #include "keiko/files/scene/rig_tables.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
-#include "keiko/math/polygon.h"
 
 #include <algorithm>
-#include <cmath>
+#include <optional>
 #include <utility>
 
 namespace keiko {
 namespace {
 
 constexpr std::string_view format = "keiko-rig/1";
-/// Sine of an angle to a window's plane below which the sun shines along it.
-constexpr double along_plane = 1e-6;
 
-Window window_from(const TomlTable& table, const Vec3& sun) {
-    const Window window{corners_from(table)};
-    table.finish();
-    require_polygon(table, window.corners);
-    const Vec3 normal = polygon_normal(window.corners);
-    if (!(std::abs(normal.dot(sun)) > along_plane * normal.length() * sun.length()))
-        throw table.error("corners", "the sun must not shine along the window");
-    return window;
-}
+/// Sun and sky of a rig.
+struct Daylight {
+    std::optional<std::pair<Sun, std::uint32_t>> sun;      ///< and its line
+    std::optional<std::pair<SkyLight, std::uint32_t>> sky; ///< and its line
+};
 
-Sun sun_from(const TomlTable& table, const std::vector<TomlTable>& windows) {
-    Sun sun;
-    sun.direction = table.required("direction", table.vector("direction"));
-    if (!(sun.direction.length() > 0)) throw table.error("direction", "must not be a zero vector");
-    sun.illuminance = table.required("illuminance", table.rgb("illuminance", TomlLimits::light())) *
-                      color_of(table);
-    require_light(table, "illuminance", sun.illuminance);
-    sun.shaft = table.flag("shaft").value_or(sun.shaft);
-    table.finish();
-    for (const TomlTable& window : windows)
-        sun.windows.push_back(window_from(window, sun.direction));
-    return sun;
+Daylight daylight_from(const TomlTable& table) {
+    Daylight light;
+    const auto place = table.table("place"), sun = table.table("sun"), sky = table.table("sky");
+    const std::vector<TomlTable> openings = table.tables("window");
+    if (!sun && !sky && (place || !openings.empty())) {
+        table.refuse_misspelt();
+        if (place) throw table.error("place", "lights nothing without [sun] or [sky]");
+        throw table.error("window", "lets in no light without [sun] or [sky]");
+    }
+    std::optional<Vec3> towards;
+    if (place) towards = direction_to_sun_from(*place);
+    if (sun) light.sun.emplace(sun_from(*sun, towards), sun->line());
+    if (light.sun) towards = light.sun->first.towards();
+    if (sky) light.sky.emplace(sky_light_from(*sky, towards), sky->line());
+    const std::vector<Window> windows =
+        windows_from(openings, light.sun ? towards : std::optional<Vec3>());
+    if (light.sun) light.sun->first.windows = windows;
+    if (light.sky) light.sky->first.windows = windows;
+    return light;
 }
 
 } // namespace
@@ -50,9 +50,12 @@ LightRig rig_from(const TomlTable& table) {
     rig.ambient = table.rgb("ambient", TomlLimits::light()).value_or(rig.ambient);
     std::vector<LightSource> sources;
     std::vector<std::pair<std::uint32_t, std::size_t>> order; // by line
-    const auto take = [&](const TomlTable& t, LightSource source) {
-        order.emplace_back(t.line(), sources.size());
+    const auto take_at = [&](std::uint32_t line, LightSource source) {
+        order.emplace_back(line, sources.size());
         sources.push_back(std::move(source));
+    };
+    const auto take = [&](const TomlTable& t, LightSource source) {
+        take_at(t.line(), std::move(source));
     };
     for (const TomlTable& t : table.tables("c_plane")) take(t, c_plane_from(t));
     for (const TomlTable& t : table.tables("spotlight")) take(t, spotlight_from(t));
@@ -63,17 +66,12 @@ LightRig rig_from(const TomlTable& table) {
         for (PolygonLight& face : box_faces_from(t)) take(t, std::move(face));
     for (const TomlTable& t : table.tables("point")) take(t, point_from(t));
     for (const TomlTable& t : table.tables("line")) take(t, line_from(t));
-    const std::vector<TomlTable> windows = table.tables("window");
-    const auto sun = table.table("sun");
-    if (sun) take(*sun, sun_from(*sun, windows));
-    if (!sun && !windows.empty()) {
-        table.refuse_misspelt();
-        throw table.error("window", "lets in no light without [sun]");
-    }
+    const Daylight daylight = daylight_from(table);
+    if (daylight.sun) take_at(daylight.sun->second, daylight.sun->first);
+    if (daylight.sky) take_at(daylight.sky->second, daylight.sky->first);
     std::sort(order.begin(), order.end());
     for (const auto& [line, source] : order) rig.sources.push_back(std::move(sources[source]));
     if (const auto fog = table.table("fog")) rig.medium = medium_from(*fog);
-    table.not_yet({"sky"});
     return rig;
 }
 
@@ -88,7 +86,8 @@ LightRig whole_rig(const TomlTable& root) {
         throw root.error(
             "",
             "the rig has no light: neither [[c_plane]] nor [[spotlight]] nor [[luminaire]] "
-            "nor [[polygon]] nor [[sphere]] nor [[box]] nor [[point]] nor [[line]] nor [sun]");
+            "nor [[polygon]] nor [[sphere]] nor [[box]] nor [[point]] nor [[line]] nor [sun] "
+            "nor [sky]");
     return rig;
 }
 
@@ -108,16 +107,6 @@ LightRig read_rig(const std::filesystem::path& path) {
 
 namespace {
 
-std::string table_text(const Sun& sun) {
-    std::string text = "\n[sun]\n";
-    text += toml_line("direction", toml_value(sun.direction), "the way the light goes");
-    text += toml_line("illuminance", toml_value(sun.illuminance), "lx across the light");
-    if (!sun.shaft) text += toml_line("shaft", "false");
-    for (const Window& window : sun.windows)
-        text += "\n[[window]]\n" + corners_line(window.corners);
-    return text;
-}
-
 struct Text {
     const std::filesystem::path& folder;
 
@@ -125,6 +114,7 @@ struct Text {
     std::string operator()(const Spotlight& light) const { return table_text(light); }
     std::string operator()(const Luminaire& lamp) const { return table_text(lamp, folder); }
     std::string operator()(const Sun& sun) const { return table_text(sun); }
+    std::string operator()(const SkyLight& sky) const { return table_text(sky); }
     std::string operator()(const PointSource& light) const { return table_text(light); }
     template <ExtendedLight Light>
     std::string operator()(const Light& light) const {
@@ -132,8 +122,25 @@ struct Text {
     }
 };
 
-bool is_sun(const LightSource& source) {
-    return std::holds_alternative<Sun>(source);
+/// The only source of a kind that a file has one of; null if there is none. Throws Error for more.
+template <class Kind>
+const Kind* only_one(const LightRig& rig, const std::string& name) {
+    const Kind* only = nullptr;
+    for (const LightSource& source : rig.sources)
+        if (const auto* found = std::get_if<Kind>(&source)) {
+            if (only) throw Error("", "rig", "holds more than one " + name);
+            only = found;
+        }
+    return only;
+}
+
+std::string windows_text(const LightRig& rig) {
+    const Sun* sun = only_one<Sun>(rig, "sun");
+    const SkyLight* sky = only_one<SkyLight>(rig, "sky");
+    if (sun && sky && sun->windows != sky->windows)
+        throw Error("", "rig", "holds a sun and a sky behind different windows");
+    if (!sun && !sky) return "";
+    return windows_text(sun ? sun->windows : sky->windows);
 }
 
 } // namespace
@@ -142,9 +149,8 @@ std::string rig_text(const LightRig& rig, const std::filesystem::path& folder) {
     std::string text = toml_line("format", toml_string(format));
     if (!rig.name.empty()) text += toml_line("name", toml_string(rig.name));
     if (rig.ambient != Rgb(0)) text += toml_line("ambient", toml_value(rig.ambient), "lx");
-    if (std::count_if(rig.sources.begin(), rig.sources.end(), is_sun) > 1)
-        throw Error("", "rig", "holds more than one sun");
     for (const LightSource& source : rig.sources) text += std::visit(Text{folder}, source);
+    text += windows_text(rig);
     if (rig.medium) text += table_text(*rig.medium, folder);
     return text;
 }

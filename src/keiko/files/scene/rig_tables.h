@@ -4,6 +4,7 @@
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/voxel_density.h"
 #include "keiko/light/lines/line_light.h"
+#include "keiko/light/rig/light_rig.h"
 #include "keiko/light/spotlight/luminaire.h"
 #include "keiko/light/spotlight/point_source.h"
 #include "keiko/light/spotlight/spotlight.h"
@@ -11,6 +12,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -81,6 +83,29 @@ std::string table_text(const PolygonLight& light);
 SphereLight sphere_light_from(const TomlTable& table);
 /// A [[sphere]] that reads back as the same globe.
 std::string table_text(const SphereLight& light);
+
+/// Unit vector towards the sun from the place and at the time of a [place]. Throws Error with file,
+/// line and column, for a sun below the horizon too.
+Vec3 direction_to_sun_from(const TomlTable& place);
+
+/// The light of a [sun], without windows; `towards`: the direction to it by a [place]. Throws Error
+/// with file, line and column.
+Sun sun_from(const TomlTable& table, const std::optional<Vec3>& towards);
+/// A [sun] that reads back as the same light, without windows.
+std::string table_text(const Sun& sun);
+
+/// The light of a [sky], without windows; `sun`: the direction to the sun, for a clear one. Throws
+/// Error with file, line and column.
+SkyLight sky_light_from(const TomlTable& table, const std::optional<Vec3>& sun);
+/// A [sky] that reads back as the same light, without windows.
+std::string table_text(const SkyLight& sky);
+
+/// The openings of all [[window]]; `sun`: the direction to a sun that shines through them. Throws
+/// Error with file, line and column.
+std::vector<Window> windows_from(const std::vector<TomlTable>& tables,
+                                 const std::optional<Vec3>& sun);
+/// A [[window]] for each.
+std::string windows_text(const std::vector<Window>& windows);
 
 /// The medium of [fog]. Throws Error with file, line and column.
 Medium medium_from(const TomlTable& table);

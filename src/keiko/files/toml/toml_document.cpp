@@ -134,6 +134,15 @@ TomlPlace place_of(const toml::source_region& region) {
     return {region.begin.line, region.begin.column};
 }
 
+TomlDateTime date_time_of(const toml::date_time& value) {
+    const toml::time& time = value.time;
+    TomlDateTime read{
+        value.date.year, value.date.month, value.date.day,
+        time.hour + time.minute / 60.0 + (time.second + time.nanosecond * 1e-9) / 3600};
+    if (value.offset) read.offset = value.offset->minutes / 60.0;
+    return read;
+}
+
 TomlValue value_of(const toml::node& node) {
     TomlValue value;
     value.place = place_of(node.source());
@@ -141,6 +150,7 @@ TomlValue value_of(const toml::node& node) {
     if (const auto* whole = node.as_integer()) value.content = whole->get();
     if (const auto* text = node.as_string()) value.content = text->get();
     if (const auto* flag = node.as_boolean()) value.content = flag->get();
+    if (const auto* time = node.as_date_time()) value.content = date_time_of(time->get());
     if (const auto* array = node.as_array()) {
         std::vector<TomlValue> values;
         for (const toml::node& element : *array) values.push_back(value_of(element));

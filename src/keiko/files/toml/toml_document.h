@@ -3,6 +3,7 @@
 #include <compare>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -23,18 +24,25 @@ struct TomlPlace {
 
 struct TomlEntry;
 
-/// A value of a file. monostate: a kind that no format of Keiko uses (dates).
+/// A date with a time and, if the file has one, its offset from universal time.
+struct TomlDateTime {
+    int year = 0, month = 1, day = 1; ///< of the Gregorian calendar
+    double hours = 0;                 ///< after midnight
+    std::optional<double> offset{};   ///< hours, positive in the east
+};
+
+/// A value of a file. monostate: a kind that no format of Keiko uses (dates or times alone).
 struct TomlValue {
     /// Value itself. An array holds values in the order of the file, a table entries by rising key.
     std::variant<std::monostate, double, std::int64_t, std::string, std::vector<TomlValue>,
-                 std::vector<TomlEntry>, bool>
+                 std::vector<TomlEntry>, bool, TomlDateTime>
         content;
     TomlPlace place; ///< at which the value begins
 
-    /// "number", "text", "array", "table", "flag" or "other".
+    /// "number", "text", "array", "table", "flag", "date and time" or "other".
     std::string_view kind() const {
         static constexpr std::string_view kinds[] = {"other", "number", "number", "text",
-                                                     "array", "table",  "flag"};
+                                                     "array", "table",  "flag",   "date and time"};
         return kinds[content.index()];
     }
 };

@@ -22,6 +22,7 @@ namespace keiko {
 /// inspect, render and lines take it as their rig". Empty for any other text.
 std::string use_of_format(std::string_view format);
 
+struct TomlDateTime;
 struct TomlDocument;
 struct TomlEntry;
 struct TomlValue;
@@ -85,6 +86,8 @@ public:
     std::optional<Vec3> vector(std::string_view key) const;
     /// true or false.
     std::optional<bool> flag(std::string_view key) const;
+    /// A date and a time with an offset, such as 2026-06-21T14:30:00+02:00.
+    std::optional<TomlDateTime> date_time(std::string_view key) const;
     /// An array of texts.
     std::optional<std::vector<std::string>> texts(std::string_view key) const;
     /// One number, for grey, or three.

@@ -138,6 +138,15 @@ std::optional<bool> TomlTable::flag(std::string_view key) const {
     return *content;
 }
 
+std::optional<TomlDateTime> TomlTable::date_time(std::string_view key) const {
+    const TomlEntry* entry = find(key);
+    if (!entry) return {};
+    const auto* content = std::get_if<TomlDateTime>(&entry->value.content);
+    if (!content || !content->offset)
+        throw mismatch(key, "a date and a time with an offset, as 2026-06-21T14:30:00+02:00");
+    return *content;
+}
+
 std::optional<std::vector<std::string>> TomlTable::texts(std::string_view key) const {
     const TomlEntry* entry = find(key);
     if (!entry) return {};

@@ -1,9 +1,11 @@
 #include "keiko/light/areas/area_gloss.h"
+#include "keiko/light/areas/area_integral.h"
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/gloss_slice.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/surface_light.h"
+#include "keiko/light/sky/sky_gloss.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_hit.h"
 #include "keiko/light/tubes/tube_irradiance.h"
@@ -14,6 +16,24 @@ namespace {
 constexpr double least_share = 1e-4; ///< of a lobe's peak
 /// Relative errors of what a lobe reflects of a panel or a sphere.
 constexpr double picture_error = 3e-3, number_error = 1e-6;
+
+/// A lobe times the luminance of a panel of the sky.
+template <class Kernel>
+class SkyKernel {
+public:
+    /// References are kept.
+    SkyKernel(const Kernel& kernel, const SkyWidth& width) : kernel_(kernel), width_(width) {}
+
+    Rgb operator()(const Vec3& towards) const {
+        return kernel_(towards) * width_.luminance(towards);
+    }
+    const Vec3& peak() const { return kernel_.peak(); }
+    double spread() const { return kernel_.spread(); }
+
+private:
+    const Kernel& kernel_;
+    const SkyWidth& width_;
+};
 
 /// Luminance of some lamps of a source.
 template <class Kernel>
@@ -43,6 +63,15 @@ public:
                 sent[k] =
                     plane.luminance * from_lamp(lamp_of(row.frame, asked_[k], plane.luminance),
                                                 seen_[k].axis, outline);
+        return sent;
+    }
+
+    std::vector<Rgb> operator()(const SkyLight& sky) const {
+        std::vector<Rgb> sent(asked_.size());
+        for (std::size_t i = 0; i < asked_.size(); ++i)
+            if (seen_[i].share > 0)
+                if (const auto panel = sky_panel(sky, asked_[i], point_))
+                    sent[i] = from_panel(sky, *panel) * seen_[i].share;
         return sent;
     }
 
@@ -79,13 +108,12 @@ private:
         if (!(seen > 0) || least_angle(light, point_, kernel_.peak()) > cone_) return {};
         const auto width = width_of(light, point_, kernel_.normal());
         if (!width) return {};
-        const bool in_picture = quadrature_ == GlossQuadrature::picture;
-        const AreaGloss gloss(*width, kernel_, in_picture ? picture_error : number_error);
+        const AreaGloss gloss(*width, kernel_, error());
         const Rgb sent = medium_ ? gloss.integral([&](const Vec3& place) { return passed(place); })
                                  : gloss.integral();
         if (sent == Rgb()) return {};
         const double share =
-            seen < 1 ? visible_gloss_share(gloss, visible_, area_accuracy(in_picture)) : 1;
+            seen < 1 ? visible_gloss_share(gloss, visible_, area_accuracy(in_picture())) : 1;
         return light.luminance * sent * share;
     }
 
@@ -94,15 +122,25 @@ private:
         const auto view = view_of(light, point_);
         if (!view || seen_[0].axis.empty()) return {};
         const GlossSlice slice(view->along, view->across, kernel_, kernel_.chart());
-        const bool in_picture = quadrature_ == GlossQuadrature::picture;
         const auto arrives = [&](double eta) { return passed(view->place(eta)); };
         Rgb sum;
         for (const ParameterInterval& part : seen_[0].axis)
-            sum += slice.paired(view->above_horizon(part, kernel_.normal()),
-                                in_picture ? picture_error : number_error, arrives);
+            sum += slice.paired(view->above_horizon(part, kernel_.normal()), error(), arrives);
         return light.intensity * sum * per_metre(1 / view->distance);
     }
 
+    /// The lobe over the whole of a panel of the sky.
+    Rgb from_panel(const SkyLight& sky, const SkyPanel& panel) const {
+        const auto width = SkyWidth::of(sky, panel, point_, kernel_.normal());
+        if (!width) return {};
+        const Rgb sent = (panel.ground ? sky.ground : sky.luminance) *
+                         gloss_integral(*width, SkyKernel(kernel_, *width), error());
+        if (!medium_ || sky.windows.empty()) return sent;
+        return sent * mean_over(*width, [&](const Vec3& place) { return passed(place); });
+    }
+
+    bool in_picture() const { return quadrature_ == GlossQuadrature::picture; }
+    double error() const { return in_picture() ? picture_error : number_error; }
     Rgb passed(const Vec3& from) const {
         return medium_ ? transmittance(*medium_, {from, point_}) : Rgb(1);
     }

@@ -3,6 +3,7 @@
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/surface_light.h"
+#include "keiko/light/sky/sky_irradiance.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_slices.h"
@@ -47,6 +48,15 @@ public:
                 lx[i] = plane.luminance * (width ? lit_over_width(comb, asked_[i], lamp, seen_[i])
                                                  : lit_over(comb, asked_[i], lamp, seen_[i].axis));
         }
+        return lx;
+    }
+
+    std::vector<Rgb> operator()(const SkyLight& sky) const {
+        std::vector<Rgb> lx(asked_.size());
+        for (std::size_t i = 0; i < asked_.size(); ++i)
+            if (seen_[i].share > 0)
+                if (const auto panel = sky_panel(sky, asked_[i], point_))
+                    lx[i] = from_panel(sky, *panel) * seen_[i].share;
         return lx;
     }
 
@@ -108,6 +118,21 @@ private:
                    const Vec3 way = place - point_;
                    const double cosine = normal_.dot(way) / way.length();
                    return passed(place) * (coat_ ? coat_->entering(cosine) : 1);
+               });
+    }
+
+    /// Illuminance by the whole of a panel of the sky, with the mean transmittance of a coat and,
+    /// behind a window, of the medium.
+    Rgb from_panel(const SkyLight& sky, const SkyPanel& panel) const {
+        const Rgb lx = illuminance_from(sky, panel, point_, normal_);
+        const bool dimmed = medium_ && !sky.windows.empty();
+        if (!coat_ && !dimmed) return lx;
+        const auto width = SkyWidth::of(sky, panel, point_, normal_);
+        if (!width) return {};
+        return lx * mean_over(*width, [&](const Vec3& place) {
+                   const Vec3 way = place - point_;
+                   const double cosine = normal_.dot(way) / way.length();
+                   return (dimmed ? passed(place) : Rgb(1)) * (coat_ ? coat_->entering(cosine) : 1);
                });
     }
 

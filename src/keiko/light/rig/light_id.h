@@ -6,10 +6,10 @@
 
 namespace keiko {
 
-/// Number of a single light of a rig: one lamp of a row, or a source that is no row.
+/// Number of a single light of a rig: one lamp of a row, one panel of a sky, or any other source.
 struct LightId {
     std::size_t source = 0; ///< index into LightRig::sources
-    int lamp = 0;           ///< by rising v; 0 of a source that is no row
+    int lamp = 0;           ///< by rising v, or of a panel; 0 of a source that is one light
 };
 
 /// Lights by rising source, then lamp, a source at a time: `visit(source, lamps, first)` receives

@@ -5,6 +5,7 @@
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/window_beam.h"
 #include "keiko/light/lines/line_light.h"
+#include "keiko/light/sky/sky_light.h"
 #include "keiko/light/spotlight/luminaire.h"
 #include "keiko/light/spotlight/point_source.h"
 #include "keiko/light/spotlight/spotlight.h"
@@ -47,7 +48,7 @@ struct Sun {
 
 /// Every kind of light source a rig can hold.
 using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun, PolygonLight, SphereLight,
-                                 PointSource, LineLight>;
+                                 PointSource, LineLight, SkyLight>;
 
 /// Lights with an extent that are no rows of tubes. They light surfaces alone, and no medium.
 template <class Light>

@@ -1,6 +1,7 @@
 #include "keiko/light/rig/light_visibility.h"
 
 #include "keiko/light/areas/area_penumbra.h"
+#include "keiko/light/sky/sky_irradiance.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_irradiance.h"
 #include "keiko/light/tubes/tube_penumbra.h"
@@ -64,9 +65,20 @@ public:
 
     template <AreaLight Light>
     std::vector<LightVisibility> operator()(const Light& light) const {
-        const double share =
-            visible_share(light, point_, normal_, visible_, area_accuracy(in_picture()));
-        return {{share > 0 ? IntervalSet::whole() : IntervalSet(), share}};
+        return {share_seen(
+            visible_share(light, point_, normal_, visible_, area_accuracy(in_picture())))};
+    }
+
+    std::vector<LightVisibility> operator()(const SkyLight& sky) const {
+        std::vector<LightVisibility> seen;
+        seen.reserve(asked_.size());
+        for (const int number : asked_) {
+            const auto panel = sky_panel(sky, number, point_);
+            seen.push_back(share_seen(panel ? visible_share(sky, *panel, point_, normal_, visible_,
+                                                            area_accuracy(in_picture()))
+                                            : 0));
+        }
+        return seen;
     }
 
     std::vector<LightVisibility> operator()(const LineLight& light) const {
@@ -76,6 +88,9 @@ public:
     }
 
 private:
+    static LightVisibility share_seen(double share) {
+        return {share > 0 ? IntervalSet::whole() : IntervalSet(), share};
+    }
     LightVisibility seen_at(const Vec3& place) const { return seen_along({place, place}); }
     LightVisibility seen_along(const Segment& segment) const {
         const IntervalSet seen = visible_.intervals(segment);

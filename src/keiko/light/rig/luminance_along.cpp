@@ -19,6 +19,7 @@ struct InLight {
     IntervalSet operator()(const Light&) const {
         return {};
     }
+    IntervalSet operator()(const SkyLight&) const { return {}; }
     template <PointLight Light>
     IntervalSet operator()(const Light& light) const {
         return light.shaft ? in_beam(light, ray) : IntervalSet();
@@ -78,6 +79,7 @@ struct Inscatter {
     Rgb operator()(const Light&) const {
         return {};
     }
+    Rgb operator()(const SkyLight&) const { return {}; }
     template <PointLight Light>
     Rgb operator()(const Light& light) const {
         return scattered_light(ray, lit, emitter_of(light, ray.ray()), tolerance);
@@ -129,6 +131,7 @@ struct DepthTo {
     std::optional<Rgb> operator()(const Light&) const {
         return std::nullopt;
     }
+    std::optional<Rgb> operator()(const SkyLight&) const { return std::nullopt; }
     template <PointLight Light>
     std::optional<Rgb> operator()(const Light& light) const {
         if (!light.shaft) return std::nullopt;

@@ -1,6 +1,7 @@
 #include "keiko/light/rig/prepared_rig.h"
 
 #include "keiko/light/areas/area_irradiance.h"
+#include "keiko/light/sky/sky_panels.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/c_plane_lookup.h"
 
@@ -23,7 +24,9 @@ PreparedSource::Kind PreparedSource::prepare(const LightSource& source) {
 
 std::vector<int> PreparedSource::lamp_numbers() const {
     const auto* row = std::get_if<LampRow>(&kind_);
-    std::vector<int> numbers(row ? static_cast<std::size_t>(row->frame.lamps) : 1);
+    const auto* sky = std::get_if<SkyLight>(&kind_);
+    const int count = row ? row->frame.lamps : sky ? panel_count(*sky) : 1;
+    std::vector<int> numbers(static_cast<std::size_t>(count));
     std::iota(numbers.begin(), numbers.end(), 0);
     return numbers;
 }
@@ -54,6 +57,7 @@ struct Holds {
         return light.position == point;
     }
     bool operator()(const Sun&) const { return false; }
+    bool operator()(const SkyLight&) const { return false; }
     template <ExtendedLight Light>
     bool operator()(const Light& light) const {
         return holds(light, point);

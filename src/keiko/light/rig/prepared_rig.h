@@ -29,14 +29,14 @@ class PreparedSource {
 public:
     /// Kinds of sources in the order of LightSource.
     using Kind = std::variant<LampRow, Spotlight, Luminaire, Sun, PolygonLight, SphereLight,
-                              PointSource, LineLight>;
+                              PointSource, LineLight, SkyLight>;
 
     template <std::convertible_to<LightSource> Source>
     PreparedSource(const Source& source) : kind_(prepare(source)) {}
 
     /// The source of its own kind.
     const Kind& kind() const { return kind_; }
-    /// Numbers of its lamps, from 0; only 0 for a source that is no row.
+    /// Numbers of its lamps, from 0, or of the panels of a sky; only 0 for any other source.
     std::vector<int> lamp_numbers() const;
 
 private:

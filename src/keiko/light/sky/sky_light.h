@@ -1,12 +1,13 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/light/fog/window_beam.h"
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
 
 #include <vector>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Distributions of luminance over the sky (docs/theory/sky.md#luminance).
 enum class SkyModel {
@@ -22,7 +23,7 @@ struct SkyLight {
     Rgb luminance{10000};                ///< cd/m2 at the zenith, colour included
     /// Luminance at the horizon of a gradient, as a share of that at the zenith, 0 or more.
     double horizon = 1;
-    Vec3 sun{0, 0, 1}; ///< unit vector towards the sun, above the horizon: of a clear sky
+    Vec3 sun{0, 0, 1}; ///< direction towards the sun, above the horizon: of a clear sky
     Rgb ground{0};     ///< cd/m2 of the ground below the horizon, the same in all directions
     std::vector<Window> windows{}; ///< openings that show it; empty: nothing but bodies hides it
 

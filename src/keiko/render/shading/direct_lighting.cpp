@@ -2,6 +2,7 @@
 
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/rig/light_visibility.h"
+#include "keiko/light/sky/sky_panels.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_lamp.h"
 
@@ -43,6 +44,14 @@ struct Corners {
     template <AreaLight Light>
     std::vector<Vec3> operator()(const Light& light) const {
         return bounds_of(light);
+    }
+    std::vector<Vec3> operator()(const SkyLight& sky) const {
+        std::vector<Vec3> corners;
+        for (const int number : lamps)
+            if (const auto panel = sky_panel(sky, number, point))
+                corners.insert(corners.end(), panel->outline.corners.begin(),
+                               panel->outline.corners.end());
+        return corners;
     }
 };
 
@@ -97,10 +106,12 @@ bool DirectLighting::may_occlude(std::span<const Vec3> places, const LightId& li
     if (!occluders_) return false;
     const PreparedSource& source = rig_.sources[light.source];
     const auto* sun = std::get_if<Sun>(&source.kind());
+    const auto* sky = std::get_if<SkyLight>(&source.kind());
     if (sun && !sun->windows.empty()) return true; // their frames occlude it, too
+    if (sky && !sky->windows.empty()) return true; // and show other parts of it
     std::vector<Vec3> region;
-    // Only the sun's position depends on the place.
-    for (const Vec3& place : sun ? places : places.first(1))
+    // What is at infinity goes with the place.
+    for (const Vec3& place : sun || sky ? places : places.first(1))
         for (const Vec3& corner : lamp_corners(source, light.lamp, place, model))
             region.push_back(corner);
     return occluders_->may_occlude(places, region, facing);

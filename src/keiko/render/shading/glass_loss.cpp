@@ -15,9 +15,14 @@ namespace keiko {
 namespace {
 
 /// The middles of the cells of a grid in the segment, rectangle or box of 2, 4 or 8 corners, those
-/// of the last coordinate side by side; or the one corner.
+/// of the last coordinate side by side; or the middle of any other number.
 std::vector<Vec3> places_amid(std::span<const Vec3> corners) {
     constexpr std::array<std::size_t, 4> cells_a_side{1, 8, 4, 2};
+    if (!std::has_single_bit(corners.size()) || corners.size() > 8) {
+        Vec3 middle(0);
+        for (const Vec3& corner : corners) middle += corner / static_cast<double>(corners.size());
+        return {middle};
+    }
     const std::size_t side =
         cells_a_side.at(static_cast<std::size_t>(std::countr_zero(corners.size())));
     std::vector<Vec3> places(corners.begin(), corners.end());
@@ -44,6 +49,7 @@ GlassLoss::GlassLoss(const Tracer& tracer, std::span<const Material> materials)
 
 Rgb GlassLoss::left(const Vec3& point, const std::optional<Root>& root,
                     std::span<const Vec3> corners) const {
+    if (corners.empty()) return Rgb(1);
     Ray way;
     way.origin = point, way.t_max = 1, way.excluded = root;
     Rgb sum;

@@ -37,6 +37,7 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
       options_(options),
       planes_(scene.rig),
       areas_(scene.rig),
+      sky_(scene.rig),
       rig_(scene.rig),
       lights_(rig_, scene.occluders, scene.casting()),
       glass_(scene.tracer, scene.materials),
@@ -75,8 +76,7 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     pass_medium(path, met, shafts, sample);
     if (path.inside) path.weight *= left_inside(*path.inside->glass(), leg_of(met.ray, met.hit));
     if (!met.hit) {
-        sample.luminance +=
-            path.weight * (path.straight ? scene_.background : even_luminance(scene_.rig.ambient));
+        sample.luminance += path.weight * beyond(path, met.ray);
         return {};
     }
     sample.paths.count(*met.hit);
@@ -87,6 +87,13 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     }
     if (path.branch == 0) sample.cosine = met.incidence.cosine;
     return onward(path, met);
+}
+
+Rgb Integrator::beyond(const PathState& path, const Ray& ray) const {
+    const Rgb else_seen = path.straight ? scene_.background : even_luminance(scene_.rig.ambient);
+    if (sky_.empty()) return else_seen;
+    const MirroredLight sky = sky_.beyond(ray.origin, ray.direction, ray.differentials);
+    return sky.luminance + else_seen * (1 - sky.coverage);
 }
 
 /// Records the first hit of a camera ray, and the hits of the rays that it sends on.

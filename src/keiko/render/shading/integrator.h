@@ -3,6 +3,7 @@
 #include "keiko/intersect/hit/reflect_ray.h"
 #include "keiko/intersect/hit/refract_ray.h"
 #include "keiko/light/rig/rig_areas.h"
+#include "keiko/light/rig/rig_sky.h"
 #include "keiko/render/reflection/lamp_reflections.h"
 #include "keiko/render/reflection/reflected_grid.h"
 #include "keiko/render/reflection/sample_batch.h"
@@ -37,10 +38,10 @@ public:
     SampleBatch view(Rays camera_rays) const;
     /// Samples of the pixels of a grid, without the light of the shading points. Pixels with a ray
     /// reflect lamps by curved images of the pixel if neighbours determine its curvature; the
-    /// others show the background. In a medium all have rays. If nothing is refined and no
-    /// AOVs are requested, the view has no hits, nor places that reflected rays meet.
+    /// others show the background. In a medium or below a sky all have rays. If nothing is refined
+    /// and no AOVs are requested, the view has no hits, nor places that reflected rays meet.
     SampleBatch view(const TileRays& grid) const;
-    /// Sample of a camera ray that misses the scene, without a medium.
+    /// Sample of a camera ray that misses the scene, without a medium or a sky.
     PixelSample unseen() const;
     /// Light of all lamps and other sources at a shading point.
     DirectLight direct_light(const ShadingPoint& point) const;
@@ -189,6 +190,9 @@ private:
     void record_aovs(const PathState& path, const PathVertex& met, PixelSample& sample) const;
     bool takes_light(std::uint32_t paint, std::uint64_t branch) const;
     ShadingPoint shading_point_at(const PathState& path, const PathVertex& met) const;
+    /// cd/m2 of what a ray meets that misses the scene: the sky, and where it has none the
+    /// background or, of a ray that was mirrored or bent, the ambient light.
+    Rgb beyond(const PathState& path, const Ray& ray) const;
     static void note_mirrored(const PathVertex& met, PixelSample& sample);
     void note_behind(const PathVertex& met, PixelSample& sample) const;
     void add_lights(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
@@ -202,6 +206,7 @@ private:
     const PictureOptions& options_;
     RigPlanes planes_;
     RigAreas areas_;
+    RigSky sky_;
     LampKernels stripe_kernels_ = lamp_kernels();
     ReflectionKernel mirror_kernel_ = reflection_kernel();
     PreparedRig rig_;

@@ -26,6 +26,7 @@ struct ViewpointOf {
     }
     Viewpoint operator()(const SphereLight& light) const { return Viewpoint::at(light.center); }
     Viewpoint operator()(const LineLight& light) const { return Viewpoint::at(light.a); }
+    Viewpoint operator()(const SkyLight&) const { return Viewpoint::towards({0, 0, 1}); }
 };
 
 /// Parts of the rays that a source lights without occlusion, as luminance_along queries them.
@@ -60,6 +61,7 @@ struct PencilLight {
         return light.shaft ? std::optional(light.position) : std::nullopt;
     }
     std::optional<Vec3> operator()(const Sun&) const { return std::nullopt; }
+    std::optional<Vec3> operator()(const SkyLight&) const { return std::nullopt; }
     template <ExtendedLight Light>
     std::optional<Vec3> operator()(const Light&) const {
         return std::nullopt;

@@ -129,7 +129,7 @@ Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
         if (!goes_on) continue;
         PixelMirror mirror;
         stripes.find(place, hit ? hit->t : std::numeric_limits<double>::infinity(), mirror);
-        const bool reads_ray = hit || scene_.rig.medium || !areas_.empty();
+        const bool reads_ray = hit || scene_.rig.medium || !areas_.empty() || !sky_.empty();
         if (reads_ray) ray = mirrors.grid.ray(place);
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
         const Onward onward =
