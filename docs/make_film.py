@@ -26,7 +26,7 @@ IMAGES = ROOT / "docs/images"
 SIZE = "800x450"
 SHOWN = (640, 360)   # pixels of the film
 FRAME = 70           # ms
-LOOKS = ("lamps", "zebra", "isophotes", "highlight lines", "curvature", "draft")
+LOOKS = ("lamps", "zebra", "isophotes", "highlight lines", "curvature", "radius", "draft", "faces")
 
 
 class Page:
@@ -63,6 +63,16 @@ class Page:
             f"done(document.getElementById('{name}').toDataURL()))))")
         return Image.open(io.BytesIO(base64.b64decode(address.partition(",")[2]))).convert("RGB")
 
+    def overlay(self, name: str, key: str):
+        """Draws lines over the picture by a key, and waits for them."""
+        self.picture.send_keys(key)
+        end = time.monotonic() + 120
+        while self.driver.execute_script(f"return document.getElementById('{name}').width") == 0:
+            if time.monotonic() > end:
+                raise RuntimeError(self.driver.find_element(By.ID, "state").text)
+            time.sleep(0.1)
+        time.sleep(1)
+
     def look(self, name: str):
         self.driver.find_element(By.XPATH, f"//button[text()='{name}']").click()
         time.sleep(2)
@@ -93,23 +103,29 @@ def film(keiko: str, file: Path):
 
 def pictures(keiko: str):
     with Page(keiko, "concept-car-scene.toml", "960x540") as page:
+        page.overlay("seam-lines", "s")
         page.driver.save_screenshot(str(IMAGES / "viewer.png"))
+        page.picture.send_keys("s")
+        page.overlay("lamp-lines", "r")
+        page.driver.execute_script("document.getElementById('lines').parentElement.scrollIntoView()")
+        page.driver.save_screenshot(str(IMAGES / "viewer-lines.png"))
     with Page(keiko, "hood-scene.toml", "480x270") as page:
-        sheet = Image.new("RGB", (3 * 480, 2 * 270))
+        sheet = Image.new("RGB", (4 * 480, 2 * 270))
         for number, name in enumerate(LOOKS):
             page.look(name)
-            sheet.paste(page.canvas(), (number % 3 * 480, number // 3 * 270))
+            sheet.paste(page.canvas(), (number % 4 * 480, number // 4 * 270))
     sheet.save(IMAGES / "viewer-looks.png", optimize=True)
     with Page(keiko, "hood-scene.toml", "960x540") as page:
         analysis_picture(page)
 
 
 def analysis_picture(page: Page):
-    """A section, a note, a kept view, and the part of the panel that has them."""
+    """A section that was turned by hand, a note, a kept view, and the part of the panel that has them."""
     page.picture.click()
     page.driver.find_element(By.CSS_SELECTOR, "#note input").send_keys("sinks towards the lamp" + Keys.ENTER)
     page.driver.find_element(By.XPATH, "//button[text()='keep this view']").click()
-    page.driver.find_element(By.CSS_SELECTOR, "#section select").send_keys("y")
+    ActionChains(page.driver).move_to_element(page.picture).key_down(Keys.CONTROL).key_down(Keys.SHIFT).click_and_hold() \
+        .move_by_offset(-80, 20).release().key_up(Keys.SHIFT).key_up(Keys.CONTROL).perform()
     time.sleep(3)
     page.driver.execute_script("document.getElementById('section').parentElement.scrollIntoView()")
     page.driver.save_screenshot(str(IMAGES / "viewer-analysis.png"))
