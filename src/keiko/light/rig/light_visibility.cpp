@@ -69,13 +69,15 @@ public:
             visible_share(light, point_, normal_, visible_, area_accuracy(in_picture())))};
     }
 
+    /// In pictures outlines between lines are not searched for: a quarter of the sky has all of
+    /// a body's.
     std::vector<LightVisibility> operator()(const SkyLight& sky) const {
         std::vector<LightVisibility> seen;
         seen.reserve(asked_.size());
         for (const int number : asked_) {
             const auto panel = sky_panel(sky, number, point_);
             seen.push_back(share_seen(panel ? visible_share(sky, *panel, point_, normal_, visible_,
-                                                            area_accuracy(in_picture()))
+                                                            width_accuracy(in_picture()))
                                             : 0));
         }
         return seen;

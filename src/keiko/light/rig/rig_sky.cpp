@@ -1,7 +1,5 @@
 #include "keiko/light/rig/rig_sky.h"
 
-#include "keiko/light/areas/area_coverage.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,16 +24,18 @@ double positive_share(double centre, double across, double up) {
 RigSky::RigSky(const LightRig& rig) {
     for (const LightSource& source : rig.sources)
         if (const auto* sky = std::get_if<SkyLight>(&source)) sky_ = *sky;
+    if (!sky_) return;
+    for (const Window& window : sky_->windows)
+        windows_.emplace_back(PolygonLight{window.corners, Rgb(1), true});
 }
 
 MirroredLight RigSky::beyond(const Vec3& origin, const Vec3& direction,
                              const std::optional<RayDifferentials>& spread) const {
     if (!sky_) return {};
-    if (sky_->windows.empty()) return {luminance(direction, spread), 1};
+    if (windows_.empty()) return {luminance(direction, spread), 1};
     double hidden = 1; // by the walls around all windows
-    for (const Window& window : sky_->windows)
-        if (const auto hit =
-                area_hit(PolygonLight{window.corners, Rgb(1), true}, origin, direction, spread))
+    for (const PanelOutline& window : windows_)
+        if (const auto hit = area_hit(window, origin, direction, spread))
             hidden *= 1 - hit->coverage;
     return {luminance(direction, spread) * (1 - hidden), 1 - hidden};
 }

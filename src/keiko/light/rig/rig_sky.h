@@ -1,10 +1,12 @@
 #pragma once
 
+#include "keiko/light/areas/area_coverage.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/rig/rig_planes.h"
 #include "keiko/math/ray_differentials.h"
 
 #include <optional>
+#include <vector>
 
 namespace keiko {
 
@@ -26,6 +28,7 @@ private:
     Rgb luminance(const Vec3& direction, const std::optional<RayDifferentials>& spread) const;
 
     std::optional<SkyLight> sky_;
+    std::vector<PanelOutline> windows_; ///< of the sky
 };
 
 } // namespace keiko
