@@ -67,7 +67,8 @@ class Page:
         """Draws lines over the picture by a key, and waits for them."""
         self.picture.send_keys(key)
         end = time.monotonic() + 120
-        while self.driver.execute_script(f"return document.getElementById('{name}').width") == 0:
+        while (self.driver.execute_script(f"return document.getElementById('{name}').width") == 0
+               or "judging" in self.driver.find_element(By.ID, "state").text):
             if time.monotonic() > end:
                 raise RuntimeError(self.driver.find_element(By.ID, "state").text)
             time.sleep(0.1)

@@ -19,10 +19,28 @@ UNREAD = {
     ("lamp_eq1_error", "out.relerr_rect_tot"): "the same",
     ("lamp_eq1_error", "out.relerr_tan_lat"): "an approximation that no model of Keiko is",
     ("lamp_irradiance", "out.E_eq1_literal_swapped"): "a misprint, shown for what it would do",
+    **{("glass_ball", f"out.{c}"): "a step on the way to the light, of which out.weight is read; or a lens's own"
+       for c in "F X1 X3 bfl d1 d3 path weight3".split()},
+    **{("glass_block", f"out.{c}"): "a step on the way to the light, of which out.weight is read"
+       for c in "X_in crit_deg n_tir path".split()},
+    **{("glass_plate", f"out.{c}"): "of polarised light, of cut trees or on the way to out.R_mean and out.T_mean"
+       for c in "R_depth R_pol Rp Rs T_depth T_pol shift tau theta_t_deg".split()},
+    ("glass_plate", "in.depth"): "of trees that are cut by depth: Keiko's are cut by weight",
+    **{("glass_prism", f"out.{c}"): "on the way to the deviation, which is read, or of polarised light"
+       for c in "T_pol i2_deg min_deviation_deg r1_deg".split()},
+    **{("ray_tree_plate", c): "of trees that are cut by depth, or counts of rays: Keiko's are cut by weight"
+       for c in "in.depth out.L_depth out.n_rays out.n_weight".split()},
     ("line_irradiance", "out.E_iso"): "a line that shines alike in all directions: no lamp of Keiko",
     ("mirror_jacobian", "out.stripe_angle_deg"): "follows from the Jacobian, which is read",
     ("polygon_irradiance", "out.F"): "out.E over pi L",
     ("reflect_hits", "in.Rt"): "the camera's right hand: across forward and up, which are read",
+}
+UNREAD |= {
+    **{(table, "in.Rt"): "the camera's right hand: across forward and up, which are read"
+       for table in ("stereo_mirror", "stereo_points")},
+    **{("stereo_mirror", c): "of the mirror itself: both reflection points are read"
+       for c in "in.p out.V out.gap out.z_par out.z_surface".split()},
+    **{("stereo_points", f"out.{c}"): "follows from the pixels, which are read" for c in "in_L in_R par_deg".split()},
 }
 # Of its own value, what the oracle may be off by: far below what any test asks of it.
 WELL_KNOWN = 1e-13

@@ -8,6 +8,7 @@
 #include <STEPCAFControl_Writer.hxx>
 #include <STEPConstruct.hxx>
 #include <STEPConstruct_Styles.hxx>
+#include <StepData_StepModel.hxx>
 #include <StepVisual_Colour.hxx>
 #include <StepVisual_MechanicalDesignGeometricPresentationRepresentation.hxx>
 #include <TCollection_HAsciiString.hxx>
@@ -15,11 +16,13 @@
 #include <TransferBRep.hxx>
 #include <TransferBRep_ShapeMapper.hxx>
 #include <Transfer_FinderProcess.hxx>
+#include <Transfer_TransientListBinder.hxx>
 #include <XSControl_TransferWriter.hxx>
 #include <XSControl_WorkSession.hxx>
 
 #include <map>
 #include <tuple>
+#include <vector>
 
 namespace keiko::cad {
 namespace {
@@ -55,10 +58,25 @@ private:
 opencascade::handle<IGESData_IGESEntity> iges_entity(const IGESControl_Writer& writer,
                                                      const TopoDS_Shape& shape) {
     opencascade::handle<IGESData_IGESEntity> entity;
-    const auto process = writer.TransferProcess();
+    const auto& process = writer.TransferProcess();
     const auto mapper = TransferBRep::ShapeMapper(process, shape);
     process->FindTypedTransient(mapper, STANDARD_TYPE(IGESData_IGESEntity), entity);
     return entity;
+}
+
+/// The items that a shape has become.
+std::vector<opencascade::handle<StepRepr_RepresentationItem>> step_items(
+    const opencascade::handle<Transfer_FinderProcess>& process, const TopoDS_Shape& shape) {
+    if (const auto item = STEPConstruct::FindEntity(process, shape); !item.IsNull()) return {item};
+    std::vector<opencascade::handle<StepRepr_RepresentationItem>> items;
+    const auto list = opencascade::handle<Transfer_TransientListBinder>::DownCast(
+        process->Find(TransferBRep::ShapeMapper(process, shape)));
+    for (int i = 1; !list.IsNull() && i <= list->NbTransients(); ++i)
+        if (const auto item =
+                opencascade::handle<StepRepr_RepresentationItem>::DownCast(list->Transient(i));
+            !item.IsNull())
+            items.push_back(item);
+    return items;
 }
 
 } // namespace
@@ -74,13 +92,12 @@ void add_step_colors(STEPCAFControl_Writer& writer, const CurveSet& set,
         STEPConstruct_Styles styles(session);
         const auto color =
             STEPConstruct_Styles::EncodeColor(occt_color(*set.curves[i].color), fonts, colors);
-        for (TopExp_Explorer edges(shapes[i], TopAbs_EDGE); edges.More(); edges.Next()) {
-            const auto item = STEPConstruct::FindEntity(process, edges.Current());
-            if (!item.IsNull())
+        for (TopExp_Explorer edges(shapes[i], TopAbs_EDGE); edges.More(); edges.Next())
+            for (const auto& item : step_items(process, edges.Current()))
                 styles.AddStyle(item, styles.MakeColorPSA(item, {}, color, {}, 0), {});
-        }
         opencascade::handle<StepVisual_MechanicalDesignGeometricPresentationRepresentation> shown;
-        styles.CreateMDGPR(styles.FindContext(shapes[i]), shown);
+        if (styles.CreateMDGPR(styles.FindContext(shapes[i]), shown))
+            writer.ChangeWriter().Model()->AddWithRefs(shown);
     }
 }
 
