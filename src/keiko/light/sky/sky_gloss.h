@@ -17,8 +17,8 @@ inline Breakpoints about_peak(double begin, double end, double peak, double spre
     return range;
 }
 
-/// Integral of a kernel over the directions to a panel of the sky above the horizon in the half-plane of a
-/// line, by the wedge angle.
+/// Integral of a kernel over the directions to a panel of the sky above the horizon in the
+/// half-plane of a line, by the wedge angle.
 template <class Kernel>
 Rgb gloss_in_half_plane(const SkyWidth& width, const SubAxis& axis, const Kernel& kernel,
                         double relative) {
@@ -36,8 +36,8 @@ Rgb gloss_in_half_plane(const SkyWidth& width, const SubAxis& axis, const Kernel
     return sum;
 }
 
-/// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a panel of the sky above the
-/// horizon. Times the panel's luminance it is the luminance that the surface reflects to the
+/// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a panel of the sky above
+/// the horizon. Times the panel's luminance it is the luminance that the surface reflects to the
 /// viewer. Gauss's and Kronrod's rules in wedge angle and elevation, cut about the kernel's peak,
 /// are halved until they agree within `relative` of the whole.
 template <class Kernel>
