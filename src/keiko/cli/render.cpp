@@ -53,6 +53,8 @@ void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye)
 void warn_of_parallax(const Scene& scene, const Camera& camera, const Stereo& eyes) {
     const double parallax = largest_parallax(camera, eyes, scene.tracer.bounds());
     if (std::abs(parallax) <= eyes.eye_distance / 2) return;
+    if (std::isinf(parallax))
+        return log_warning("the body reaches beside the eyes: what is near them is hard to fuse");
     std::ostringstream text;
     text << std::setprecision(2) << "the body's parallax reaches " << parallax
          << " mm, more than half of the eyes' distance, which is hard to fuse: take a "
@@ -66,7 +68,7 @@ Film render_eyes(const RenderArguments& arguments, const Scene& scene, const Sce
                  const Job& job) {
     const auto stereo = arguments.stereo();
     if (!stereo) return render_view(shown, rig, camera, options, job);
-    warn_of_parallax(scene, camera, stereo->eyes);
+    if (camera.projection == Projection::perspective) warn_of_parallax(scene, camera, stereo->eyes);
     return render_stereo(shown, rig, camera, stereo->eyes, stereo->layout, options, job);
 }
 

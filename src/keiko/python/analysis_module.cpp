@@ -19,7 +19,7 @@ Vec3 direction_of(const py::dict& given, const char* name) {
     const Vec3 direction(parts[0], parts[1], parts[2]);
     if (const double length = direction.length(); !(length > 0) || !std::isfinite(length))
         throw FieldError(name, "is no direction");
-    return direction;
+    return direction.normalized();
 }
 
 /// A mode with its settings, from keyword arguments. Throws FieldError naming the argument.
@@ -34,9 +34,11 @@ ChosenMode mode_of(const std::string& look, const py::dict& given) {
     const auto radius = given["radius"].cast<std::optional<double>>();
     if (mode.look == AnalysisMode::below_radius && !radius) throw FieldError("radius", "is needed");
     options.radius = radius.value_or(options.radius);
-    if (!(options.radius > 0)) throw FieldError("radius", "is not above 0 mm");
+    if (!(options.radius > 0 && std::isfinite(options.radius)))
+        throw FieldError("radius", "is not above 0 mm");
     const auto scale = given["scale"].cast<std::optional<std::pair<double, double>>>();
-    if (scale && !(scale->first < scale->second)) throw FieldError("scale", "does not rise");
+    if (scale && !(scale->first < scale->second && std::isfinite(scale->second - scale->first)))
+        throw FieldError("scale", "does not rise from one number to another");
     if (scale && mode.look == AnalysisMode::radius && !(scale->first > 0))
         throw FieldError("scale", "is not above 0 mm");
     if (scale) options.scale.range = ValueRange{scale->first, scale->second};

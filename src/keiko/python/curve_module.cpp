@@ -57,6 +57,8 @@ NamedCurve curve(const std::string& name, std::vector<Spline> pieces, const Colo
                  double deviation) {
     if (pieces.empty()) throw FieldError("pieces", "a curve has at least one");
     NamedCurve made{name, {}, deviation, std::move(pieces)};
+    for (const double share : color.value_or(std::array<double, 3>{}))
+        if (!(share >= 0 && share <= 1)) throw FieldError("color", "is not 0 to 1");
     if (color) made.color.emplace((*color)[0], (*color)[1], (*color)[2]);
     return made;
 }

@@ -104,10 +104,18 @@ py::object false_colors(const Film& film, double minimum, double maximum,
     return py::module_::import("keiko").attr("Picture")(py::bytes(encode_png(picture)));
 }
 
+void require_size(const std::string& name, std::optional<int> pixels) {
+    constexpr int most = 65536; // as in scenes
+    if (pixels && !(*pixels >= 1 && *pixels <= most))
+        throw FieldError(name, "is not 1 to " + std::to_string(most) + " pixels");
+}
+
 } // namespace
 
 NamedView view_named(const Scene& scene, const std::string& view, std::optional<int> width,
                      std::optional<int> height, const Job& job) {
+    require_size("width", width);
+    require_size("height", height);
     const std::vector<std::string> names(view.empty() ? 0 : 1, view);
     return choose_views(scene, names, 1, width.value_or(scene.width), height.value_or(scene.height),
                         job)

@@ -90,9 +90,8 @@ Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
 void dim_by_glass(const LitScene& in, const Place& place, std::span<const LightId> lights,
                   std::vector<Rgb>& lux) {
     for (std::size_t i = 0; i < lights.size(); ++i)
-        lux[i] *= in.glass.left(place.position, place.root,
-                                lamp_corners(in.rig.sources[lights[i].source], lights[i].lamp,
-                                             place.position, TubeModel::preview));
+        lux[i] *= in.glass.left(in.rig.sources[lights[i].source], lights[i].lamp, place.position,
+                                place.root);
 }
 
 std::vector<double> lux_at(const LitScene& in, const Ray& point) {

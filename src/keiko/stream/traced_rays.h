@@ -28,7 +28,8 @@ void trace_all_hits(const Scene& scene, std::span<const Ray> rays,
                     const Job& job = {});
 
 /// Luminance in cd/m2 along each ray, against its direction, under a rig: that of a picture whose
-/// pixels have no width. Rays that meet nothing have the scene's background.
+/// pixels have no width. Rays that meet nothing have what is beyond: the sky, or the scene's
+/// background.
 std::vector<Rgb> luminances_along(const Scene& scene, const LightRig& rig,
                                   std::span<const Ray> rays, const Job& job = {});
 

@@ -14,7 +14,7 @@
 namespace keiko {
 namespace {
 
-constexpr double grid_step = 0.02; // slope, 20 mrad
+constexpr double grid_step = 0.02; // slope
 
 PixelValues channel(const FilmSight& sight, const Image& deviations, int number) {
     return {sight, [&](int x, int y) { return double{deviations.pixel(x, y)[number]}; }};

@@ -4,6 +4,7 @@
 #include "keiko/intersect/hit/local_surface.h"
 #include "keiko/intersect/hit/refract_ray.h"
 #include "keiko/math/refract.h"
+#include "keiko/render/shading/picture.h"
 
 #include <limits>
 #include <optional>
@@ -12,11 +13,10 @@ namespace keiko {
 namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-constexpr int most_crossings = 12; // as in pictures
 
 /// The direction behind a pane, which is bent like the face that it stands for: its far side is
-/// the face's parallel surface.
-Vec3 behind_pane(const Vec3& direction, const Hit& hit, double n, double thickness) {
+/// the face's parallel surface. nullopt where the reflection there is total.
+std::optional<Vec3> behind_pane(const Vec3& direction, const Hit& hit, double n, double thickness) {
     if (!hit.second || !is_regular(hit)) return direction;
     Hit facing = hit;
     if (facing.normal.dot(direction) > 0) facing.normal = -facing.normal;
@@ -25,7 +25,7 @@ Vec3 behind_pane(const Vec3& direction, const Hit& hit, double n, double thickne
     const double along = -inside.dot(normal);
     const Vec3 shift = (inside + normal * along) * (thickness / along);
     const Vec3 far_normal = (normal + LocalSurface(facing).normal_change(shift)).normalized();
-    return refract(inside, far_normal, n).value_or(direction);
+    return refract(inside, far_normal, n);
 }
 
 /// Follows one line of sight through all glass.
@@ -44,10 +44,13 @@ public:
         const double eta = pane > 0 ? 1 : index_ ? *index_ : 1 / n;
         auto on = refract_ray(ray_, hit, eta);
         if (!on) return false;
-        if (pane > 0)
-            on->direction = behind_pane(ray_.direction, hit, n, pane);
-        else
+        if (pane > 0) {
+            const auto behind = behind_pane(ray_.direction, hit, n, pane);
+            if (!behind) return false;
+            on->direction = *behind;
+        } else {
             index_ = index_ ? std::nullopt : std::optional(n);
+        }
         ray_ = *on;
         return true;
     }
@@ -62,7 +65,7 @@ private:
 std::optional<Vec3> direction_behind(const Tracer& seen, std::span<const Material> materials,
                                      const Ray& ray) {
     SightLine line(ray);
-    for (int crossing = 0; crossing < most_crossings; ++crossing) {
+    for (int crossing = 0; crossing <= PictureOptions().max_crossings; ++crossing) {
         const auto hit = seen.nearest(line.ray());
         if (!hit || !materials[hit->face].glass)
             return line.met_glass() && !line.is_inside() ? std::optional(line.ray().direction)
@@ -78,10 +81,11 @@ Image glass_deviations(const Tracer& seen, std::span<const Material> materials,
                        const Camera& camera, const Job& job) {
     Image deviations(camera.width, camera.height, 3, unknown);
     const CameraAxes axes = camera.axes();
+    const PreparedCamera eye(camera);
     parallel_for(static_cast<std::size_t>(camera.height), job, "glass", [&](std::size_t row) {
         const int y = static_cast<int>(row);
         for (int x = 0; x < camera.width; ++x) {
-            const Ray ray = camera.ray(x + 0.5, y + 0.5);
+            const Ray ray = eye.ray(x + 0.5, y + 0.5);
             const auto behind = direction_behind(seen, materials, ray);
             if (!behind) continue;
             const double depth = behind->dot(axes.forward);

@@ -30,7 +30,7 @@ CurveSet sample_set() {
                            {4350, 1, 2, 1},
                            {4351, 0, 0, 1}}});
     two.pieces.push_back({1, {0, 0, 5, 5}, {{4351, 0, 0, 1}, {4356, 0, 0, 1}}});
-    NamedCurve line{"inflection of face 7", Rgb(0, 0, 1), 0.01};
+    NamedCurve line{"inflection of face 7", Rgb(0.3, 0.5, 0.7), 0.01};
     line.pieces.push_back({1, {0, 0, 1, 2, 2}, {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 1, 0, 1}}});
     set.curves = {arc, two, line};
     return set;
@@ -50,7 +50,12 @@ void expect_round_trip(const CurveSet& set, ModelFormat format) {
     for (std::size_t c = 0; c < set.curves.size(); ++c) {
         const NamedCurve &before = set.curves[c], &after = read.curves[c];
         EXPECT_EQ(after.name, before.name);
-        EXPECT_EQ(after.color.has_value(), before.color.has_value());
+        ASSERT_EQ(after.color.has_value(), before.color.has_value());
+        if (before.color) {
+            EXPECT_NEAR(after.color->r, before.color->r, 1e-6) << before.name;
+            EXPECT_NEAR(after.color->g, before.color->g, 1e-6) << before.name;
+            EXPECT_NEAR(after.color->b, before.color->b, 1e-6) << before.name;
+        }
         ASSERT_EQ(after.pieces.size(), before.pieces.size()) << before.name;
         for (std::size_t p = 0; p < before.pieces.size(); ++p) {
             EXPECT_EQ(after.pieces[p].degree, before.pieces[p].degree);

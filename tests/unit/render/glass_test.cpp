@@ -1,4 +1,3 @@
-#include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/glass/pane.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/render/shading/glass_loss.h"
@@ -233,18 +232,32 @@ TEST(Glass, RowsOfTubesAreSeenWhereGlassBendsAndNotThroughPanes) {
     EXPECT_EQ(seen(glass(1.5, Rgb(0), 3)), 0);
 }
 
+/// Share of the light of a source's only lamp that the glass of a vitrine leaves.
+Rgb left_of(const Vitrine& vitrine, const LightSource& source, const Vec3& point) {
+    const PreparedSource prepared =
+        std::visit([](const auto& light) { return PreparedSource(light); }, source);
+    return GlassLoss(vitrine.tracer, vitrine.materials).left(prepared, 0, point, {});
+}
+
+PointSource lamp_at(const Vec3& place) {
+    PointSource lamp;
+    lamp.position = place;
+    return lamp;
+}
+
 TEST(GlassLoss, PanesAndBlocksLeaveTheirSharesOnStraightWays) {
     const Rgb absorption(0.01, 0.002, 0);
-    const std::vector<Vec3> lamp{{500, 0, 40}};
+    const PointSource lamp = lamp_at({500, 0, 40});
     const Vec3 point(-500, 0, 40);
     const Vitrine pane(box(Vec3(-100), Vec3(100)), glass(1.5, absorption, 4));
     const Rgb once = pane_shares(1, 1.5, absorption, 4).passed;
-    expect_near(GlassLoss(pane.tracer, pane.materials).left(point, {}, lamp), once * once, 1e-12,
-                "two panes");
+    expect_near(left_of(pane, lamp, point), once * once, 1e-12, "two panes");
     const Vitrine block(box(Vec3(-100), Vec3(100)), glass(1.5, absorption));
     const double face = 1 - 0.04;
-    expect_near(GlassLoss(block.tracer, block.materials).left(point, {}, lamp),
-                Rgb(std::exp(-2.0), std::exp(-0.4), 1) * (face * face), 1e-9, "block");
+    expect_near(left_of(block, lamp, point), Rgb(std::exp(-2.0), std::exp(-0.4), 1) * (face * face),
+                1e-9, "block");
+    expect_near(left_of(block, lamp, {-50, 0, 40}), Rgb(std::exp(-1.5), std::exp(-0.3), 1) * face,
+                1e-9, "inside the block");
     const Vitrine paint(box(Vec3(-100), Vec3(100)), Material());
     EXPECT_FALSE(GlassLoss(paint.tracer, paint.materials).any());
 }
@@ -253,11 +266,12 @@ TEST(GlassLoss, ATubeIsTheMeanOfEightWays) {
     test::ShapeBuilder builder;
     const Vitrine pane(builder.face({test::rectangle(0, 500, -500, 500, 100)}).model(),
                        glass(1.5, Rgb(0.2), 1));
-    const std::vector<Vec3> tube{{-2, 0, 200}, {2, 0, 200}}; // so short that it is seen upright
-    const double left = GlassLoss(pane.tracer, pane.materials).left({-1, 0, 0}, {}, tube).g;
+    CPlane tube; // so short that it is seen upright
+    tube.origin = {-2, -0.5, 200}, tube.u = {4, 0, 0}, tube.v = {0, 1, 0};
+    tube.lamps = 1, tube.diameter = 0.1;
     const double whole = pane_shares(1, 1.5, Rgb(0.2), 1).passed.g;
     // Through the pane's border go the ways to what is beyond x = 1.
-    EXPECT_NEAR(left, (6 + 2 * whole) / 8, 1e-3);
+    EXPECT_NEAR(left_of(pane, tube, {-1, 0, 0}).g, (6 + 2 * whole) / 8, 1e-3);
 }
 
 TEST(GlassLoss, APanelIsTheMeanOfSixteenWays) {
@@ -265,9 +279,20 @@ TEST(GlassLoss, APanelIsTheMeanOfSixteenWays) {
     const Vitrine pane(builder.face({test::rectangle(-500, 500, 0, 500, 100)}).model(),
                        glass(1.5, Rgb(0.2), 1));
     const PolygonLight light{{{-2, -2, 200}, {-2, 2, 200}, {2, 2, 200}, {2, -2, 200}}, Rgb(1)};
-    const double left =
-        GlassLoss(pane.tracer, pane.materials).left({0, 0, 0}, {}, bounds_of(light)).g;
-    EXPECT_NEAR(left, (1 + pane_shares(1, 1.5, Rgb(0.2), 1).passed.g) / 2, 1e-3);
+    EXPECT_NEAR(left_of(pane, light, {0, 0, 0}).g,
+                (1 + pane_shares(1, 1.5, Rgb(0.2), 1).passed.g) / 2, 1e-3);
+}
+
+TEST(GlassLoss, TheSkyIsSeenThroughWhatIsInItsDirections) {
+    const SkyLight sky{SkyModel::uniform, Rgb(100)};
+    const Vitrine bubble(ball({0, 0, 0}, 100), glass(1.5, Rgb(0.1), 3));
+    const double whole = pane_shares(1, 1.5, Rgb(0.1), 3).passed.g;
+    EXPECT_NEAR(left_of(bubble, sky, Vec3(0)).g, whole, 1e-12);
+    // A black roof, the upper face of a cube about the point, is a third of the hemisphere.
+    test::ShapeBuilder roof;
+    const Vitrine above(roof.face({test::rectangle(-100, 100, -100, 100, 100)}).model(),
+                        glass(1.5, Rgb(50), 3));
+    EXPECT_NEAR(left_of(above, sky, Vec3(0)).g, 2 / 3.0, 0.08);
 }
 
 TEST(Glass, PicturesAreThoseOfTheirRays) {

@@ -77,6 +77,15 @@ TEST(GlassDeviation, ABentPaneTurnsLikeTheSolidThatItStandsFor) {
     EXPECT_GT(largest, 0.5);
 }
 
+TEST(GlassDeviation, IsUnknownWhereThePanesFarSideReflectsTotally) {
+    const Pane pane(shells({100}), 1.5, 5);
+    const auto turned = [&](double beside) {
+        return pane.deviations(along({-500, 0, beside}, {1, 0, 0})).pixel(0, 0)[0];
+    };
+    EXPECT_GT(turned(93), 50);
+    EXPECT_TRUE(std::isnan(turned(98)));
+}
+
 TEST(GlassDeviation, FlatPanesTurnNothingAndOpaqueFacesAreNoGlass) {
     const Pane pane(test::ShapeBuilder().face({test::rectangle(-50, 50, -50, 50, 0)}).model(), 1.5,
                     6);

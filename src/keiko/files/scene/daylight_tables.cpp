@@ -64,9 +64,9 @@ Vec3 sun_of(const TomlTable& table, const std::optional<Vec3>& sun) {
 }
 
 Window window_from(const TomlTable& table, const std::optional<Vec3>& sun) {
-    const Window window{corners_from(table)};
+    Window window{corners_from(table)};
     table.finish();
-    require_polygon(table, window.corners);
+    require_ring(table, window.corners);
     const Vec3 normal = polygon_normal(window.corners);
     if (sun && !(std::abs(normal.dot(*sun)) > along_plane * normal.length() * sun->length()))
         throw table.error("corners", "the sun must not shine along the window");

@@ -1,5 +1,7 @@
 #include "keiko/import/cad/curve_styles.h"
 
+#include "keiko/base/text.h"
+
 #include <IGESBasic_Name.hxx>
 #include <IGESCAFControl.hxx>
 #include <IGESControl_Writer.hxx>
@@ -42,9 +44,10 @@ public:
         auto& known = colors_[{color.r, color.g, color.b}];
         if (known.IsNull()) {
             constexpr double percent = 100;
+            double r = 0, g = 0, b = 0;
+            occt_color(color).Values(r, g, b, Quantity_TOC_sRGB); // as readers take it
             known = new IGESGraph_Color;
-            known->Init(color.r * percent, color.g * percent, color.b * percent,
-                        new TCollection_HAsciiString(""));
+            known->Init(r * percent, g * percent, b * percent, new TCollection_HAsciiString(""));
             writer_.AddEntity(known);
         }
         entity.InitColor(known);
@@ -108,7 +111,7 @@ void add_iges_names_and_colors(IGESControl_Writer& writer, const CurveSet& set,
         const NamedCurve& curve = set.curves[i];
         if (const auto entity = iges_entity(writer, shapes[i]); !entity.IsNull()) {
             opencascade::handle<IGESBasic_Name> name = new IGESBasic_Name;
-            name->Init(1, new TCollection_HAsciiString(curve.name.c_str()));
+            name->Init(1, new TCollection_HAsciiString(one_line(curve.name).c_str()));
             entity->AddProperty(name);
             writer.AddEntity(name);
         }

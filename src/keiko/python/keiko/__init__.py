@@ -235,7 +235,8 @@ def illuminance(scene, points, normals, *, rig=None, progress=None, threads: int
 def luminance(scene, rays, *, rig=None, progress=None, threads: int = 0):
     """Luminance in cd/m2 that rays (n, 6) meet, by the scene's lamps or those of `rig`: n rows of red, green, blue.
 
-    It is that of a picture whose pixels have no width. Rays that meet nothing have the scene's background.
+    It is that of a picture whose pixels have no width. Rays that meet nothing have what is
+    beyond: the sky, or else the scene's background.
     """
     return luminance_numbers(_opened(scene, progress, threads), rays, rig, progress, threads)
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/intersect/traversal/tracer.h"
+#include "keiko/light/rig/prepared_rig.h"
 #include "keiko/math/rgb.h"
 #include "keiko/scene/material.h"
 
@@ -18,14 +19,18 @@ public:
 
     /// False where there is no glass.
     bool any() const { return any_; }
-    /// Share by channel, 0 to 1, of a lamp's light that reaches a point: the mean over a grid of
-    /// places between its `corners`, which are those of lamp_corners(). There are 8 on a segment,
-    /// 4 x 4 in a rectangle and 2 x 2 x 2 in a box. `root`: of the point, on a surface.
-    Rgb left(const Vec3& point, const std::optional<Root>& root,
-             std::span<const Vec3> corners) const;
+    /// Share by channel, 0 to 1, of the light of a lamp of a source that reaches a point. It is the
+    /// mean over a grid of places: 8 on a tube's axis, 4 x 4 in the rectangle of a panel, 2 x 2 x 2
+    /// in the box of a sphere. Of the sky it is that over 16 directions to each triangle of its
+    /// panel, by their solid angles. `root`: of the point, on a surface.
+    Rgb left(const PreparedSource& source, int lamp, const Vec3& point,
+             const std::optional<Root>& root) const;
 
 private:
-    Rgb left_along(const Ray& way) const;
+    /// `towards`: from the point to the lamp, mm.
+    Rgb left_along(const Vec3& point, const std::optional<Root>& root, const Vec3& towards) const;
+    /// Share that the ways inside solid glass leave; `solid`: its interfaces, by rising t.
+    Rgb left_inside(std::span<const Hit* const> solid, double length) const;
 
     const Tracer& tracer_;
     std::span<const Material> materials_;

@@ -73,8 +73,10 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     PixelSample& sample = view.samples[path.sample];
     record_aovs(path, met, sample);
     add_lights(path, met, shafts, sample);
-    pass_medium(path, met, shafts, sample);
-    if (path.inside) path.weight *= left_inside(*path.inside->glass(), leg_of(met.ray, met.hit));
+    if (path.inside)
+        path.weight *= left_inside(*path.inside->glass(), leg_of(met.ray, met.hit));
+    else
+        pass_medium(path, met, shafts, sample);
     if (!met.hit) {
         sample.luminance += path.weight * beyond(path, met.ray);
         return {};
@@ -236,9 +238,7 @@ std::vector<Rgb> Integrator::left_by_glass(const ShadingPoint& point,
     if (!dims_light()) return left;
     const Vec3& place = point.place.position;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        left[i] = glass_.left(place, point.root,
-                              lamp_corners(rig_.sources[lights[i].source], lights[i].lamp, place,
-                                           TubeModel::preview));
+        left[i] = glass_.left(rig_.sources[lights[i].source], lights[i].lamp, place, point.root);
     return left;
 }
 

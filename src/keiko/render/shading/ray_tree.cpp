@@ -63,7 +63,8 @@ std::optional<Integrator::PathState> Integrator::onto(PathState path, const Rgb&
     if (path.branch > (last - child) / 2) return {}; // after 64 surfaces
     path.weight *= share;
     path.branch = 2 * path.branch + child;
-    return max_channel(path.weight) >= options_.min_weight ? std::optional(path) : std::nullopt;
+    const double weight = max_channel(path.weight);
+    return weight > 0 && weight >= options_.min_weight ? std::optional(path) : std::nullopt;
 }
 
 } // namespace keiko
