@@ -673,7 +673,7 @@ class Panel(Page):
         """Places of the pixels of the lines over the picture that are drawn."""
         return self.browser.execute_script(
             "const c = document.getElementById('lamp-lines'), found = [];"
-            "if (c.width === 0) return found;"
+            "if (!c || c.width === 0) return found;"
             "const { data } = c.getContext('2d').getImageData(0, 0, c.width, c.height);"
             "for (let i = 0; i < data.length / 4; ++i) if (data[4 * i + 3] > 0) found.push([i % c.width, Math.floor(i / c.width)]);"
             "return found")
@@ -794,7 +794,7 @@ class Panel(Page):
         """Places of the pixels of the section that are drawn in yellow, as its curves and its outline are."""
         return set(map(tuple, self.browser.execute_script(
             "const c = document.getElementById('section-lines'), found = [];"
-            "if (c.width === 0) return found;"
+            "if (!c || c.width === 0) return found;"
             "const { data } = c.getContext('2d').getImageData(0, 0, c.width, c.height);"
             "for (let i = 0; i < data.length / 4; ++i) if (data[4 * i + 3] > 40) found.push([i % c.width, Math.floor(i / c.width)]);"
             "return found")))
