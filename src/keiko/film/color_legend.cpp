@@ -61,6 +61,14 @@ std::string legend_number(double value) {
     return text.data();
 }
 
+std::vector<LegendTick> even_ticks(double low, double high,
+                                   const std::function<std::string(double)>& text) {
+    std::vector<LegendTick> ticks;
+    for (const double position : {0.0, 1.0, 0.5, 0.25, 0.75})
+        ticks.push_back({position, text(low + (high - low) * position)});
+    return ticks;
+}
+
 Image with_color_legend(const Image& picture, const ColorLegend& legend) {
     Image wide(picture.width + legend_width, std::max(picture.height, least_height), 3);
     for (int y = 0; y < picture.height; ++y)

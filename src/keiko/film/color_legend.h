@@ -25,6 +25,11 @@ struct ColorLegend {
 /// A number as legends write it, with up to 6 digits: "1e-05", "-2.5".
 std::string legend_number(double value);
 
+/// Ticks of a bar from one number to another: its ends, its middle and its quarters, each as `text`
+/// writes its number.
+std::vector<LegendTick> even_ticks(double low, double high,
+                                   const std::function<std::string(double)>& text = legend_number);
+
 /// The picture (3 channels) with a legend added at its right; it is at least so high that the
 /// legend can be read.
 Image with_color_legend(const Image& picture, const ColorLegend& legend);

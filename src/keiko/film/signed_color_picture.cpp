@@ -33,15 +33,11 @@ std::string number(double value) {
 
 ColorLegend legend_of(const ValueRange& range, const std::string& unit) {
     const auto [low, high] = range;
-    ColorLegend legend{
-        unit,
-        [low = low, high = high](double position) {
-            return signed_color(signed_share(low + (high - low) * position, {low, high}));
-        },
-        {}};
-    for (const double position : {0.0, 1.0, 0.5, 0.25, 0.75})
-        legend.ticks.push_back({position, number(low + (high - low) * position)});
-    return legend;
+    return {unit,
+            [low = low, high = high](double position) {
+                return signed_color(signed_share(low + (high - low) * position, {low, high}));
+            },
+            even_ticks(low, high, number)};
 }
 
 } // namespace

@@ -62,10 +62,7 @@ Image unsigned_picture(const FilmSight& sight, const PixelValues& values, const 
             const double value = values.at(x, y);
             return std::isnan(value) ? Rgb(0.07) : jet((value - low) / (high - low));
         });
-    ColorLegend legend{"1/mm", jet, {}};
-    for (const double position : {0.0, 1.0, 0.5, 0.25, 0.75})
-        legend.ticks.push_back({position, legend_number(low + (high - low) * position)});
-    return with_color_legend(picture, legend);
+    return with_color_legend(picture, {"1/mm", jet, even_ticks(low, high)});
 }
 
 } // namespace

@@ -54,10 +54,7 @@ Image distortion_picture(const FilmSight& sight, const Image& deviations,
             const double line = std::max(line_share(right, x, y), line_share(up, x, y));
             return jet((angles.at(x, y) - low) / (high - low)) * (1 - 0.8 * line);
         });
-    ColorLegend legend{"mrad", jet, {}};
-    for (const double position : {0.0, 1.0, 0.5, 0.25, 0.75})
-        legend.ticks.push_back({position, legend_number(low + (high - low) * position)});
-    return with_color_legend(picture, legend);
+    return with_color_legend(picture, {"mrad", jet, even_ticks(low, high)});
 }
 
 } // namespace keiko

@@ -2,6 +2,7 @@
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/math/polygon.h"
 
+#include "tests/support/rig_text.h"
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -9,25 +10,14 @@
 namespace keiko {
 namespace {
 
+using test::only_light;
+using test::rig_error;
+
 const std::string head = "format = \"keiko-rig/1\"\n";
 const std::string panel =
     head +
     "[[polygon]]\ncorners = [[0, 0, 2000], [0, 500, 2000], [1000, 500, 2000], [1000, 0, 2000]]\n";
 const std::string globe = head + "[[sphere]]\ncenter = [1, 2, 3]\nradius = 150\n";
-
-std::string rig_error(const std::string& text) {
-    try {
-        parse_rig(text, "bad.toml");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-template <class Light>
-Light only_light(const std::string& text) {
-    return std::get<Light>(parse_rig(text, "rig.toml").sources.at(0));
-}
 
 TEST(AreaTables, PanelIsRead) {
     const auto light = only_light<PolygonLight>(panel + "luminance = 4000\ncolor = [1, 0.5, 0]\n");

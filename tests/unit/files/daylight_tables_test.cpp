@@ -4,6 +4,7 @@
 #include "keiko/light/sky/solar_position.h"
 #include "keiko/scene/animation.h"
 
+#include "tests/support/rig_text.h"
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -16,13 +17,9 @@ const std::string place =
     "[place]\nlatitude = 48.1\nlongitude = 11.6\ntime = 2026-06-21T14:30:00+02:00\n";
 const std::string window = "[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 0, 1]]\n";
 
-std::string rig_error(const std::string& text) {
-    try {
-        (void)parse_rig(head + text, "bad.toml");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+/// The message of the Error that the tables of a rig cause; "" when there is none.
+std::string rig_error(const std::string& tables) {
+    return test::rig_error(head + tables);
 }
 
 SkyLight sky_of(const std::string& text) {

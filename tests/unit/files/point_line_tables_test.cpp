@@ -1,6 +1,7 @@
 #include "keiko/base/error.h"
 #include "keiko/files/scene/rig_file.h"
 
+#include "tests/support/rig_text.h"
 #include <gtest/gtest.h>
 
 #include <numbers>
@@ -8,24 +9,13 @@
 namespace keiko {
 namespace {
 
+using test::only_light;
+using test::rig_error;
+
 constexpr double pi = std::numbers::pi;
 const std::string head = "format = \"keiko-rig/1\"\n";
 const std::string bulb = head + "[[point]]\nposition = [1, 2, 3]\n";
 const std::string wire = head + "[[line]]\na = [0, 0, 9]\nb = [2000, 0, 9]\n";
-
-std::string rig_error(const std::string& text) {
-    try {
-        parse_rig(text, "bad.toml");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
-
-template <class Light>
-Light only_light(const std::string& text) {
-    return std::get<Light>(parse_rig(text, "rig.toml").sources.at(0));
-}
 
 TEST(PointLineTables, PointsAreRead) {
     EXPECT_EQ(only_light<PointSource>(bulb), (PointSource{.position = {1, 2, 3}}));

@@ -5,6 +5,7 @@
 #include "keiko/files/toml/toml_reader.h"
 
 #include "tests/support/paths.h"
+#include "tests/support/rig_text.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,22 +15,14 @@
 
 namespace keiko {
 namespace {
+
+using test::rig_error;
 namespace fs = std::filesystem;
 
 const std::string head = "format = \"keiko-rig/1\"\n";
 const std::string plane = "[[c_plane]]\norigin = [0, 0, 2000]\nu = [1000, 0, 0]\n";
 const std::string whole_plane = plane + "v = [0, 1200, 0]\n";
 const std::string spot = "[[spotlight]]\nposition = [0, 0, 4000]\naim = [0, 0, 0]\n";
-
-/// The message of the Error that a rig text causes; "" when there is none.
-std::string rig_error(const std::string& text) {
-    try {
-        parse_rig(text, "bad.toml");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
-}
 
 CPlane only_plane(const std::string& text) {
     return std::get<CPlane>(parse_rig(text, "rig.toml").sources.at(0));

@@ -6,6 +6,7 @@
 #include "keiko/light/spotlight/spotlight.h"
 
 #include "tests/support/paths.h"
+#include "tests/support/rig_text.h"
 #include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>
 
@@ -20,14 +21,9 @@ const std::string spot = "[[spotlight]]\nposition = [0, 0, 4000]\naim = [0, 0, 0
 const std::string sun = "[sun]\ndirection = [1, 0, -1]\nilluminance = 60000\n";
 const std::string fog = spot + "[fog]\nextinction = 0.1\n";
 
-/// The message of the Error that a rig text causes; "" when there is none.
-std::string rig_error(const std::string& text) {
-    try {
-        parse_rig(head + text, "bad.toml");
-    } catch (const Error& error) {
-        return error.what();
-    }
-    return "";
+/// The message of the Error that the tables of a rig cause; "" when there is none.
+std::string rig_error(const std::string& tables) {
+    return test::rig_error(head + tables);
 }
 
 Spotlight spotlight(const std::string& keys) {

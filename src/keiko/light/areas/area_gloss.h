@@ -102,10 +102,7 @@ private:
         return ParameterInterval{eta - cone_, eta + cone_};
     }
     Breakpoints about_peak(double begin, double end) const {
-        Breakpoints range(begin, end);
-        for (const double off : {-4.0, -1.5, -0.5, 0.5, 1.5, 4.0})
-            range.cut_at(peak_ + off * spread_);
-        return range;
+        return keiko::about_peak(begin, end, peak_, spread_);
     }
     void approach() {
         peak_ = width_.place_in(chart_.peak());

@@ -10,6 +10,13 @@
 
 namespace keiko {
 
+/// A range cut about the peak of a lobe, whose spread is in the range's unit.
+inline Breakpoints about_peak(double begin, double end, double peak, double spread) {
+    Breakpoints range(begin, end);
+    for (const double off : {-4.0, -1.5, -0.5, 0.5, 1.5, 4.0}) range.cut_at(peak + off * spread);
+    return range;
+}
+
 /// A half-plane of directions from a point: the integral of a kernel over the elevations that a
 /// source occupies there, by the wedge angle, cut about the lobe's crest.
 template <class Kernel>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/light/luminance/gloss_slice.h"
 #include "keiko/light/sky/sky_panels.h"
 #include "keiko/math/quadrature.h"
 #include "keiko/math/rgb.h"
@@ -9,13 +10,6 @@
 #include <vector>
 
 namespace keiko {
-
-/// A range cut about the peak of a lobe, whose spread is in the range's unit.
-inline Breakpoints about_peak(double begin, double end, double peak, double spread) {
-    Breakpoints range(begin, end);
-    for (const double off : {-4.0, -1.5, -0.5, 0.5, 1.5, 4.0}) range.cut_at(peak + off * spread);
-    return range;
-}
 
 /// Integral of a kernel over the directions to a panel of the sky above the horizon in the
 /// half-plane of a line, by the wedge angle.

@@ -209,7 +209,8 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
     std::vector<DirectLight> brought(lights.size());
     const std::vector<Rgb> left = left_by_glass(point, lights);
     const auto each = [&](const std::vector<Rgb>& values, const auto& add) {
-        for (std::size_t i = 0; i < values.size(); ++i) add(brought[i], values[i] * left[i]);
+        for (std::size_t i = 0; i < values.size(); ++i)
+            add(brought[i], left.empty() ? values[i] : values[i] * left[i]);
     };
     const ClearCoat* coat = paint.base().passes_all() ? nullptr : &paint.base();
     const bool scatters = paint.base().inner_reflectance(normal.dot(point.eye)) != Rgb(0);
@@ -234,8 +235,8 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
 
 std::vector<Rgb> Integrator::left_by_glass(const ShadingPoint& point,
                                            std::span<const LightId> lights) const {
-    std::vector<Rgb> left(lights.size(), Rgb(1));
-    if (!dims_light()) return left;
+    if (!dims_light()) return {};
+    std::vector<Rgb> left(lights.size());
     const Vec3& place = point.place.position;
     for (std::size_t i = 0; i < lights.size(); ++i)
         left[i] = glass_.left(rig_.sources[lights[i].source], lights[i].lamp, place, point.root);
