@@ -507,6 +507,26 @@ class ModuleTest(unittest.TestCase):
         with self.assertRaisesRegex(keiko.Error, "no file is named"):
             keiko.open_scene([])
 
+    def test_arguments_of_a_wrong_type_are_named(self):
+        wrong = [(keiko.check, self.sheets, {"join": "wide"}, "join: a number is needed, not 'wide'"),
+                 (keiko.check, self.sheets, {"joints": "yes"}, "joints: True or False is needed"),
+                 (keiko.check, self.sheets, {"iso_curves": 1.5}, "iso_curves: a whole number"),
+                 (keiko.check, self.sheets, {"accepted": 7}, "accepted: a path or None"),
+                 (keiko.lines, self.scene, {"look": 3}, "look: a text is needed, not 3"),
+                 (keiko.compare, self.sheets, {"after": self.sheets, "width": None}, "width: a whole number"),
+                 (keiko.render, self.scene, {"light_error": "low"}, "light_error: a number")]
+        for verb, body, arguments, words in wrong:
+            with self.assertRaisesRegex(TypeError, f"^{re.escape(words)}"):
+                verb(body, **arguments, **({"views": ()} if "width" in arguments else {}))
+        for settings in ({"pull": (0, 1)}, {"pull": "up "[:2]}, {"scale": 1.0}, {"radius": "small"}, {"draft": None}):
+            (name,) = settings
+            with self.assertRaisesRegex(TypeError, f"^{name}: "):
+                keiko.analysis_picture(self.scene, "zebra", **settings)
+        for join in (0, -1, 1e4, float("nan")):
+            for verb in (keiko.check, keiko.lines, keiko.info):
+                with self.assertRaisesRegex(keiko.Error, "^join: is not 1e-6 to 1000 mm"):
+                    verb(self.sheets, join=join)
+
     def test_progress_is_told_and_may_stop(self):
         stages = []
         keiko.open_scene(CAR, progress=lambda stage, share: stages.append((stage, share)))

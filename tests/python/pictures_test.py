@@ -104,6 +104,11 @@ class PicturesTest(unittest.TestCase):
         for name in names:
             self.assertEqual((self.folder / "ours" / name).read_bytes(), (self.folder / "out" / name).read_bytes(), name)
         self.assertEqual(compared.html, (self.folder / "out/compare.html").read_text(encoding="utf-8"))
+        at_hand = keiko.compare(before, after, views="top", rig=keiko.Rig(TUNNEL.read_text()), **SIZE)
+        pictures = [name for name in names if name.endswith(".png")]
+        self.assertTrue(pictures)
+        for name in pictures:
+            self.assertEqual(at_hand._files[name], compared._files[name], name)
         with self.assertRaisesRegex(keiko.Error, "^width: "):
             keiko.compare(before, after, views="top", width=64)
         with self.assertRaisesRegex(keiko.Error, "^rig: needs views"):

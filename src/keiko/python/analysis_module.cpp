@@ -3,8 +3,6 @@
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
-#include <pybind11/stl.h>
-
 #include <array>
 #include <cmath>
 #include <utility>
@@ -15,7 +13,7 @@ namespace keiko::python {
 namespace {
 
 Vec3 direction_of(const py::dict& given, const char* name) {
-    const auto parts = given[name].cast<std::array<double, 3>>();
+    const auto parts = taken<std::array<double, 3>>(given, name);
     const Vec3 direction(parts[0], parts[1], parts[2]);
     if (const double length = direction.length(); !(length > 0) || !std::isfinite(length))
         throw FieldError(name, "is no direction");
@@ -29,14 +27,14 @@ ChosenMode mode_of(const std::string& look, const py::dict& given) {
     ChosenMode mode{stated.mode, {}, direction_of(given, "section")};
     AnalysisOptions& options = mode.options;
     options.pull = direction_of(given, "pull");
-    options.draft = given["draft"].cast<double>();
+    options.draft = taken<double>(given, "draft");
     if (!(options.draft >= 0 && options.draft <= 90)) throw FieldError("draft", "is not 0 to 90");
-    const auto radius = given["radius"].cast<std::optional<double>>();
+    const auto radius = taken<std::optional<double>>(given, "radius");
     if (mode.look == AnalysisMode::below_radius && !radius) throw FieldError("radius", "is needed");
     options.radius = radius.value_or(options.radius);
     if (!(options.radius > 0 && std::isfinite(options.radius)))
         throw FieldError("radius", "is not above 0 mm");
-    const auto scale = given["scale"].cast<std::optional<std::pair<double, double>>>();
+    const auto scale = taken<std::optional<std::pair<double, double>>>(given, "scale");
     if (scale && !(scale->first < scale->second && std::isfinite(scale->second - scale->first)))
         throw FieldError("scale", "does not rise from one number to another");
     if (scale && mode.look == AnalysisMode::radius && !(scale->first > 0))

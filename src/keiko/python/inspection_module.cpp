@@ -7,9 +7,6 @@
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
-
 #include <map>
 #include <optional>
 
@@ -19,21 +16,21 @@ namespace keiko::python {
 namespace {
 
 std::vector<std::string> words_of(const py::dict& arguments, const char* name) {
-    return arguments[name].cast<std::vector<std::string>>();
+    return taken<std::vector<std::string>>(arguments, name);
 }
 
 /// Sets what check and inspect judge alike, from their keyword arguments. Throws Error naming the
 /// argument.
 template <class Options>
 void set_judging(const py::dict& judging, Options& options) {
-    options.preset = preset_by_name_or_file(judging["preset"].cast<std::string>());
-    options.join = options.combs.join = judging["join"].cast<double>();
+    options.preset = preset_by_name_or_file(taken<std::string>(judging, "preset"));
+    options.join = options.combs.join = require_join(taken<double>(judging, "join"));
     options.scope = scope_of(judging);
     for (const std::string& plane : words_of(judging, "sections"))
         options.combs.planes.push_back(section_plane(plane));
-    options.combs.iso_curves = judging["iso_curves"].cast<int>();
-    options.joints = judging["joints"].cast<bool>();
-    const auto accepted = judging["accepted"].cast<std::optional<std::filesystem::path>>();
+    options.combs.iso_curves = taken<int>(judging, "iso_curves");
+    options.joints = taken<bool>(judging, "joints");
+    const auto accepted = taken<std::optional<std::filesystem::path>>(judging, "accepted");
     if (accepted) options.acceptances = read_acceptances(*accepted, date_today());
 }
 
@@ -74,9 +71,9 @@ py::tuple check(const py::object& input, const py::dict& judging, const std::str
 /// The files of the preset and the acceptances, for the inputs of a report.
 std::vector<std::filesystem::path> settings_of(const py::dict& judging) {
     std::vector<std::filesystem::path> files;
-    const auto preset = judging["preset"].cast<std::string>();
+    const auto preset = taken<std::string>(judging, "preset");
     if (is_preset_path(preset)) files.emplace_back(preset);
-    const auto accepted = judging["accepted"].cast<std::optional<std::filesystem::path>>();
+    const auto accepted = taken<std::optional<std::filesystem::path>>(judging, "accepted");
     if (accepted) files.push_back(*accepted);
     return files;
 }
@@ -133,6 +130,11 @@ py::dict bytes_of(const FolderContent& content) {
     py::dict files;
     for (const auto& [name, bytes] : content) files[py::str(name)] = py::bytes(bytes);
     return files;
+}
+
+double require_join(double join) {
+    if (!(join >= 1e-6 && join <= 1000)) throw FieldError("join", "is not 1e-6 to 1000 mm");
+    return join;
 }
 
 Scope scope_of(const py::dict& arguments) {

@@ -4,9 +4,6 @@
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
-
 #include <iterator>
 #include <vector>
 
@@ -23,11 +20,11 @@ LineLook look_named(const std::string& name) {
 
 LinesOptions options_of(const py::dict& given) {
     LinesOptions options;
-    options.views = given["views"].cast<std::vector<std::string>>();
-    options.preset = preset_by_name_or_file(given["preset"].cast<std::string>());
-    options.join = given["join"].cast<double>();
-    options.lines.look = look_named(given["look"].cast<std::string>());
-    options.lines.lines.chord_error = given["chord"].cast<double>();
+    options.views = taken<std::vector<std::string>>(given, "views");
+    options.preset = preset_by_name_or_file(taken<std::string>(given, "preset"));
+    options.join = require_join(taken<double>(given, "join"));
+    options.lines.look = look_named(taken<std::string>(given, "look"));
+    options.lines.lines.chord_error = taken<double>(given, "chord");
     if (!(options.lines.lines.chord_error > 0)) throw FieldError("chord", "is not above 0 mm");
     options.scope = scope_of(given);
     return options;
@@ -54,7 +51,7 @@ py::tuple lines(const OpenScene& open, const py::object& rig, const py::dict& gi
                 const py::object& progress, int threads) {
     const ChosenRig lamps(rig);
     const LinesOptions asked = options_of(given);
-    const RequestedCurves requested{given["curves"].cast<bool>(), given["contours"].cast<bool>()};
+    const RequestedCurves requested{taken<bool>(given, "curves"), taken<bool>(given, "contours")};
     const auto [text, curves] = run({progress, threads}, [&](const Job& job) {
         return under(lamps, *open.scene, [&](const Scene& scene, const auto& file) {
             LinesOptions options = asked;

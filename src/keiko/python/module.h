@@ -8,11 +8,16 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace keiko::python {
@@ -47,6 +52,39 @@ std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 
 /// Path of one path. Raises TypeError for anything else.
 std::filesystem::path path_of(const pybind11::object& input);
+
+/// What a value of an argument must be, for an error.
+template <class Value>
+constexpr const char* meaning_of() {
+    if constexpr (std::is_same_v<Value, bool>) return "True or False";
+    if constexpr (std::is_same_v<Value, int>) return "a whole number";
+    if constexpr (std::is_same_v<Value, double>) return "a number";
+    if constexpr (std::is_same_v<Value, std::string>) return "a text";
+    if constexpr (std::is_same_v<Value, std::vector<std::string>>) return "a sequence of texts";
+    if constexpr (std::is_same_v<Value, std::array<double, 3>>) return "three numbers";
+    if constexpr (std::is_same_v<Value, std::optional<double>>) return "a number or None";
+    if constexpr (std::is_same_v<Value, std::optional<std::pair<double, double>>>)
+        return "two numbers or None";
+    if constexpr (std::is_same_v<Value, std::optional<std::vector<std::string>>>)
+        return "a sequence of texts or None";
+    if constexpr (std::is_same_v<Value, std::optional<std::filesystem::path>>)
+        return "a path or None";
+}
+
+/// The value of a keyword argument. Raises TypeError naming the argument if it has another type.
+template <class Value>
+Value taken(const pybind11::dict& arguments, const char* name) {
+    const pybind11::object given = arguments[name];
+    try {
+        return given.cast<Value>();
+    } catch (const pybind11::cast_error&) {
+        throw pybind11::type_error(std::string(name) + ": " + meaning_of<Value>() +
+                                   " is needed, not " + std::string(pybind11::repr(given)));
+    }
+}
+
+/// The distance within which borders are a seam, mm. Throws Error unless it is 1e-6 to 1000.
+double require_join(double join);
 
 /// The part of a body that is judged, from keyword arguments. Throws Error naming the argument.
 Scope scope_of(const pybind11::dict& arguments);

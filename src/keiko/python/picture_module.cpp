@@ -6,8 +6,6 @@
 #include "keiko/python/work.h"
 
 #include <pybind11/numpy.h>
-#include <pybind11/stl.h>
-#include <pybind11/stl/filesystem.h>
 
 #include <cmath>
 #include <map>
@@ -54,14 +52,14 @@ Value value_of(const char* argument, const std::string& word,
 /// How light and edges are computed, from keyword arguments.
 PictureOptions accuracy_of(const py::dict& given) {
     PictureOptions options;
-    options.tubes = value_of<TubeModel>("penumbrae", given["penumbrae"].cast<std::string>(),
+    options.tubes = value_of<TubeModel>("penumbrae", taken<std::string>(given, "penumbrae"),
                                         {{"width", TubeModel::picture},
                                          {"exact", TubeModel::automatic},
                                          {"axis", TubeModel::preview}});
-    options.light_error = given["light_error"].cast<double>();
+    options.light_error = taken<double>(given, "light_error");
     if (!(options.light_error >= 0 && options.light_error <= 0.1))
         throw FieldError("light_error", "is not 0 to 0.1");
-    options.edge_samples = given["edge_samples"].cast<int>();
+    options.edge_samples = taken<int>(given, "edge_samples");
     if (options.edge_samples < 1 || options.edge_samples > 16)
         throw FieldError("edge_samples", "is not 1 to 16");
     return options;

@@ -48,7 +48,7 @@ std::string info(const py::object& input, const std::string& unit, const std::st
     if (model) require_no_reading(unit, axes);
     return run({progress, threads}, [&](const Job& job) {
         FactsOptions options;
-        options.load.unit = unit, options.load.axes = axes, options.join = join;
+        options.load.unit = unit, options.load.axes = axes, options.join = require_join(join);
         return facts_json(model ? body_info(*model, options, job) : model_info(file, options, job));
     });
 }

@@ -1,7 +1,8 @@
 """Evaluate the quality of free-form surfaces by what they reflect.
 
 Lengths are in mm, angles in degrees, luminances in cd/m2. Long functions release the interpreter's
-lock, call `progress(stage, fraction)` if one is given, and end on Ctrl-C. Bad input raises Error.
+lock, call `progress(stage, fraction)` if one is given, and end on Ctrl-C. Bad input raises Error, an argument
+of a wrong type TypeError.
 """
 import getpass as _getpass
 import os as _os
@@ -162,7 +163,7 @@ def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, 
     """Compares the geometry, seams and findings of two bodies: model files, scene files, Models or Scenes.
 
     With `views`, () for three automatic ones, pictures and lines are compared too, under the lamps of `rig`, a
-    file, or those of the former. `width` and `height` are pixels of these pictures, 0: the size of its scene.
+    file or a Rig, or those of the former. `width` and `height` are pixels of these pictures, 0: the size of its scene.
     """
     options = {"preset": str(preset), "join": join, "align": align, "rig": rig, "width": width, "height": height,
                "views": None if views is None else _words(views), **_scope(faces, layers, colors, zones)}
