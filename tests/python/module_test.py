@@ -507,6 +507,19 @@ class ModuleTest(unittest.TestCase):
         with self.assertRaisesRegex(keiko.Error, "no file is named"):
             keiko.open_scene([])
 
+    def test_everything_public_is_explained(self):
+        dumb = []
+        for name in keiko.__all__:
+            given = getattr(keiko, name)
+            if not callable(given):
+                continue
+            parts = vars(given).items() if isinstance(given, type) else ()
+            for part, meaning in [("", given), *((p, m) for p, m in parts if not p.startswith("_"))]:
+                words = re.sub(r"^\w+\(.*\n*", "", meaning.__doc__ or "")  # what pybind11 writes by itself
+                if not words.strip():
+                    dumb.append(f"{name}.{part}")
+        self.assertEqual(dumb, [])
+
     def test_arguments_of_a_wrong_type_are_named(self):
         wrong = [(keiko.check, self.sheets, {"join": "wide"}, "join: a number is needed, not 'wide'"),
                  (keiko.check, self.sheets, {"joints": "yes"}, "joints: True or False is needed"),

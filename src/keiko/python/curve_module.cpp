@@ -85,23 +85,30 @@ void write(std::vector<NamedCurve> curves, const std::filesystem::path& file,
 }
 
 void add_classes(py::module_& module) {
-    py::class_<Spline>(module, "Spline")
+    py::class_<Spline>(module, "Spline", "A rational B-spline of any degree.")
         .def(py::init(&spline), py::arg("degree"), py::arg("knots"), py::arg("points"))
-        .def_readonly("degree", &Spline::degree)
-        .def_property_readonly("knots", &knots_of)
-        .def_property_readonly("points", &points_of)
+        .def_readonly("degree", &Spline::degree, "1 or more.")
+        .def_property_readonly("knots", &knots_of, "Rising numbers, (n + degree + 1).")
+        .def_property_readonly("points", &points_of,
+                               "Control points: x, y, z in mm and weight, (n, 4).")
         .def("__reduce__", [](const py::object& self) {
             const auto& one = self.cast<const Spline&>();
             return py::make_tuple(self.attr("__class__"),
                                   py::make_tuple(one.degree, knots_of(one), points_of(one)));
         });
-    py::class_<NamedCurve>(module, "Curve")
+    py::class_<NamedCurve>(module, "Curve",
+                           "A named curve in space, of one spline or several in turn.")
         .def(py::init(&curve), py::arg("name"), py::arg("pieces"), py::arg("color") = py::none(),
              py::arg("deviation") = 0.0)
-        .def_readonly("name", &NamedCurve::name)
-        .def_property_readonly("color", &color_of)
-        .def_readonly("deviation", &NamedCurve::deviation)
-        .def_readonly("pieces", &NamedCurve::pieces)
+        .def_readonly("name", &NamedCurve::name,
+                      "That other programs show; of curves by Keiko it carries the verdict.")
+        .def_property_readonly(
+            "color", &color_of,
+            "Red, green and blue in linear light, 0 to 1; None without a colour.")
+        .def_readonly("deviation", &NamedCurve::deviation,
+                      "How far it lies from the exact curve, mm: about this at most.")
+        .def_readonly("pieces", &NamedCurve::pieces,
+                      "Splines, the next from where the last one ends.")
         .def("__repr__", [](const NamedCurve& one) { return "<Curve: " + one.name + ">"; })
         .def("__reduce__", [](const py::object& self) {
             const auto& one = self.cast<const NamedCurve&>();
@@ -116,9 +123,12 @@ void add_classes(py::module_& module) {
 void add_curves(py::module_& module) {
     add_classes(module);
     module.def("read_curves", &read, py::arg("file"), py::kw_only(),
-               py::arg("progress") = py::none(), py::arg("threads") = 0);
+               py::arg("progress") = py::none(), py::arg("threads") = 0,
+               "Reads the free curves of a STEP or IGES file, a Curve each.");
     module.def("write_curves", &write, py::arg("curves"), py::arg("file"), py::kw_only(),
-               py::arg("name") = "", py::arg("progress") = py::none(), py::arg("threads") = 0);
+               py::arg("name") = "", py::arg("progress") = py::none(), py::arg("threads") = 0,
+               "Writes curves to a STEP or IGES file, or polylines of them to a .vtp "
+               "file.\n\n`name` is that of the body they lie on.");
 }
 
 } // namespace keiko::python

@@ -54,44 +54,56 @@ std::optional<ValueRange> range_of(const Range& range) {
 } // namespace
 
 void add_meshes(py::module_& module) {
-    py::class_<SurfaceMesh>(module, "Mesh")
-        .def_property_readonly("points",
-                               [](const py::object& mesh) {
-                                   return vectors_of(mesh.cast<const SurfaceMesh&>().positions,
-                                                     mesh);
-                               })
-        .def_property_readonly("normals",
-                               [](const py::object& mesh) {
-                                   return vectors_of(mesh.cast<const SurfaceMesh&>().normals, mesh);
-                               })
-        .def_property_readonly("triangles",
-                               [](const py::object& mesh) {
-                                   const auto& rows = mesh.cast<const SurfaceMesh&>().triangles;
-                                   return rows_of(
-                                       rows, rows.empty() ? nullptr : rows.front().data(), mesh);
-                               })
-        .def_property_readonly("faces",
-                               [](const py::object& mesh) {
-                                   const auto& faces = mesh.cast<const SurfaceMesh&>().faces;
-                                   return py::array_t<std::uint32_t>(
-                                       static_cast<py::ssize_t>(faces.size()), faces.data(), mesh);
-                               })
-        .def_property_readonly("fields", &fields_of)
-        .def_readonly("deviation", &SurfaceMesh::deviation)
-        .def_readonly("lost_faces", &SurfaceMesh::lost_faces)
-        .def("vtp", [](const SurfaceMesh& mesh) { return py::bytes(vtp_file(mesh)); })
+    py::class_<SurfaceMesh>(module, "Mesh",
+                            "A body in triangles whose corners lie on the exact surface.")
+        .def_property_readonly(
+            "points",
+            [](const py::object& mesh) {
+                return vectors_of(mesh.cast<const SurfaceMesh&>().positions, mesh);
+            },
+            "Corners in mm, (n, 3).")
+        .def_property_readonly(
+            "normals",
+            [](const py::object& mesh) {
+                return vectors_of(mesh.cast<const SurfaceMesh&>().normals, mesh);
+            },
+            "Unit normals of the exact surface at the corners, (n, 3).")
+        .def_property_readonly(
+            "triangles",
+            [](const py::object& mesh) {
+                const auto& rows = mesh.cast<const SurfaceMesh&>().triangles;
+                return rows_of(rows, rows.empty() ? nullptr : rows.front().data(), mesh);
+            },
+            "Indices of the corners of each triangle, (m, 3).")
+        .def_property_readonly(
+            "faces",
+            [](const py::object& mesh) {
+                const auto& faces = mesh.cast<const SurfaceMesh&>().faces;
+                return py::array_t<std::uint32_t>(static_cast<py::ssize_t>(faces.size()),
+                                                  faces.data(), mesh);
+            },
+            "Number of the face of each triangle, (m).")
+        .def_property_readonly("fields", &fields_of, "Numbers at the corners by name, (n) each.")
+        .def_readonly("deviation", &SurfaceMesh::deviation,
+                      "Distance in mm by which the surface leaves the triangles, about.")
+        .def_readonly("lost_faces", &SurfaceMesh::lost_faces, "Why faces were lost, a text each.")
+        .def(
+            "vtp", [](const SurfaceMesh& mesh) { return py::bytes(vtp_file(mesh)); },
+            "Bytes of a VTK file with all fields.")
         .def(
             "ply",
             [](const SurfaceMesh& mesh, const Range& range) {
                 return py::bytes(ply_file(mesh, range_of(range)));
             },
-            py::arg("range") = py::none())
+            py::arg("range") = py::none(),
+            "Bytes of a PLY file, coloured by the first field over a range (low, high), by default "
+            "its own.")
         .def(
             "glb",
             [](const SurfaceMesh& mesh, const Range& range) {
                 return py::bytes(glb_file(mesh, range_of(range)));
             },
-            py::arg("range") = py::none());
+            py::arg("range") = py::none(), "Bytes of a binary glTF file, coloured as `ply` is.");
     module.def("surface_mesh", &mesh);
 }
 

@@ -80,13 +80,22 @@ std::shared_ptr<const SurfaceModel> model_of(const py::object& input) {
 }
 
 void add_models(py::module_& module) {
-    py::class_<OpenModel>(module, "Model")
-        .def_property_readonly("faces", [](const OpenModel& open) { return faces_of(*open.model); })
-        .def_property_readonly("lost_faces",
-                               [](const OpenModel& open) { return losses_of(*open.model); })
-        .def_property_readonly("source", [](const OpenModel& open) { return open.model->source; })
-        .def_property_readonly("unit", [](const OpenModel& open) { return open.model->unit; })
-        .def_property_readonly("bounds", &bounds_of)
+    py::class_<OpenModel>(
+        module, "Model",
+        "A body that has been read. keiko.load makes it; it is pickled by its content.")
+        .def_property_readonly(
+            "faces", [](const OpenModel& open) { return faces_of(*open.model); },
+            "Number in reports, name and layer of each face.")
+        .def_property_readonly(
+            "lost_faces", [](const OpenModel& open) { return losses_of(*open.model); },
+            "Why faces of the file were lost, a text each.")
+        .def_property_readonly(
+            "source", [](const OpenModel& open) { return open.model->source; },
+            "Name of the file, or the one that was given.")
+        .def_property_readonly(
+            "unit", [](const OpenModel& open) { return open.model->unit; },
+            "Unit of the file, as it was found or given; coordinates are in mm.")
+        .def_property_readonly("bounds", &bounds_of, "Lowest and highest corner in mm, (2, 3).")
         .def("__repr__", [](const OpenModel& open) { return "<Model of " + words_of(open) + ">"; })
         .def("__reduce__", [](const OpenModel& open) {
             return py::make_tuple(py::module_::import("keiko").attr("_unpickled"),

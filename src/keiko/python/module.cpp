@@ -71,7 +71,7 @@ PYBIND11_MODULE(_keiko, module) {
             keiko::python::raise(error, e);
         }
     });
-    module.def("version", &keiko::version);
+    module.def("version", &keiko::version, "Version of Keiko, as 0.1.0.");
     keiko::python::add_models(module);
     keiko::python::add_rigs(module);
     keiko::python::add_curves(module);

@@ -130,43 +130,61 @@ void add_pictures(py::module_& module) {
     const auto color = [](const py::object& film, const py::args&, const py::kwargs&) {
         return array_of(film.cast<const Film&>().color, film);
     };
-    py::class_<Film>(module, "Film")
-        .def_property_readonly("color", color)
+    py::class_<Film>(module, "Film",
+                     "The picture of a scene in linear light. numpy.asarray of it is its colour; a "
+                     "notebook shows it.")
+        .def_property_readonly("color", color, "Red, green and blue in cd/m2, (height, width, 3).")
         .def_property_readonly(
             "alpha",
-            [](const py::object& film) { return array_of(film.cast<const Film&>().alpha, film); })
-        .def_property_readonly("aovs",
-                               [](const py::object& film) {
-                                   py::dict layers;
-                                   for (const auto& [aov, image] : film.cast<const Film&>().aovs)
-                                       layers[py::str(std::string(name_of(aov)))] =
-                                           array_of(image, film);
-                                   return layers;
-                               })
+            [](const py::object& film) { return array_of(film.cast<const Film&>().alpha, film); },
+            "Share of each pixel that the body covers, 0 to 1, (height, width, 1).")
+        .def_property_readonly(
+            "aovs",
+            [](const py::object& film) {
+                py::dict layers;
+                for (const auto& [aov, image] : film.cast<const Film&>().aovs)
+                    layers[py::str(std::string(name_of(aov)))] = array_of(image, film);
+                return layers;
+            },
+            "Requested layers by name, (height, width, channels), in the units of keiko render "
+            "--aov.")
         .def("__array__", color)
         .def("_repr_png_",
              [](const Film& film) { return py::bytes(encode_png(tone_mapped(film))); })
-        .def("png", &png, py::arg("tone") = "linear", py::arg("ev") = py::none())
-        .def("exr", [](const Film& film) { return py::bytes(encode_exr(film)); })
+        .def("png", &png, py::arg("tone") = "linear", py::arg("ev") = py::none(),
+             "Bytes of a PNG file. `tone` is linear, log or reinhard; `ev` the exposure, None for "
+             "that of the picture.")
+        .def(
+            "exr", [](const Film& film) { return py::bytes(encode_exr(film)); },
+            "Bytes of an OpenEXR file with colour, alpha and layers.")
         .def("false_colors", &false_colors, py::arg("minimum") = FalseColorScale{}.minimum,
              py::arg("maximum") = FalseColorScale{}.maximum, py::arg("quantity") = "luminance",
-             py::arg("iso_lines") = false);
+             py::arg("iso_lines") = false,
+             "The picture of a quantity, luminance in cd/m2 or illuminance in lx, over a range, "
+             "with a legend.\n\nIlluminance needs the layer `illuminance`. Raises Error for a "
+             "range that does not rise from above 0.");
     module.def("render_film", &render);
     PYBIND11_NUMPY_DTYPE(DeepSample, t, normal_x, normal_y, shape_xx, shape_xy, shape_yy, way,
                          face);
     PYBIND11_NUMPY_DTYPE(DeepBounce, pixel, sample);
-    py::class_<DeepBuffer>(module, "DeepBuffer")
+    py::class_<DeepBuffer>(
+        module, "DeepBuffer",
+        "The surfaces on the paths of a picture's rays, as keiko-deep/1 has them.")
         .def_property_readonly(
             "samples",
             [](const py::object& buffer) {
                 const auto& deep = buffer.cast<const DeepBuffer&>();
                 return records_of(deep.samples, {deep.height, deep.width}, buffer);
-            })
-        .def_property_readonly("bounces", [](const py::object& buffer) {
-            const auto& deep = buffer.cast<const DeepBuffer&>();
-            return records_of(deep.bounces, {static_cast<py::ssize_t>(deep.bounces.size())},
-                              buffer);
-        });
+            },
+            "The surface that each pixel shows, (height, width), with the numbers of keiko-deep/1.")
+        .def_property_readonly(
+            "bounces",
+            [](const py::object& buffer) {
+                const auto& deep = buffer.cast<const DeepBuffer&>();
+                return records_of(deep.bounces, {static_cast<py::ssize_t>(deep.bounces.size())},
+                                  buffer);
+            },
+            "Surfaces that mirrors show, each with its pixel.");
     module.def("deep_buffer", &deep);
 }
 

@@ -147,18 +147,29 @@ void add_scenes(py::module_& module) {
     PYBIND11_NUMPY_DTYPE(HitRow, t, face, instance, patch, flags, uv, position, normal, k1, k2,
                          bound);
     module.attr("hit_dtype") = py::dtype::of<HitRow>();
-    py::class_<OpenScene>(module, "Scene")
+    py::class_<OpenScene>(module, "Scene",
+                          "A body or a scene file, ready for rays. keiko.open_scene makes it; it "
+                          "is pickled by its paths, or by its Model.")
         .def("trace", &trace, py::arg("rays"), py::kw_only(), py::arg("progress") = py::none(),
-             py::arg("threads") = 0)
+             py::arg("threads") = 0,
+             "The first hit of rays (n, 6), origin in mm and direction: n rows of hit_dtype.\n\nA "
+             "row of a ray that meets nothing has an infinite t and the face 0. Raises Error for "
+             "another shape, numbers that are not finite and directions of length 0.")
         .def("trace_all", &trace_all, py::arg("rays"), py::kw_only(),
-             py::arg("progress") = py::none(), py::arg("threads") = 0)
-        .def_property_readonly("faces",
-                               [](const OpenScene& open) { return faces_of(open.scene->model); })
+             py::arg("progress") = py::none(), py::arg("threads") = 0,
+             "All hits of rays (n, 6): the index of the ray of each hit, and rows of hit_dtype, by "
+             "ray and rising t.\n\nRaises Error as trace does.")
         .def_property_readonly(
-            "bounds", [](const OpenScene& open) { return corners_of(open.scene->tracer.bounds()); })
-        .def_property_readonly("lost_faces",
-                               [](const OpenScene& open) { return losses_of(open.scene->model); })
-        .def_readonly("paths", &OpenScene::paths)
+            "faces", [](const OpenScene& open) { return faces_of(open.scene->model); },
+            "Number in reports, name and layer of each face.")
+        .def_property_readonly(
+            "bounds", [](const OpenScene& open) { return corners_of(open.scene->tracer.bounds()); },
+            "Lowest and highest corner in mm, (2, 3).")
+        .def_property_readonly(
+            "lost_faces", [](const OpenScene& open) { return losses_of(open.scene->model); },
+            "Why faces of the files were lost, a text each.")
+        .def_readonly("paths", &OpenScene::paths,
+                      "Files that it was read from; none if its Model was read from bytes.")
         .def("__reduce__", [](const OpenScene& open) {
             const py::dict options(py::arg("unit") = open.unit, py::arg("axes") = open.axes,
                                    py::arg("material") = open.material,
@@ -171,10 +182,14 @@ void add_scenes(py::module_& module) {
                     options));
         });
     module.def("luminance_numbers", &luminance);
-    module.def("open_scene", &open, py::arg("input"), py::kw_only(), py::arg("unit") = "",
-               py::arg("axes") = "", py::arg("material") = SceneOptions{}.material,
-               py::arg("shadows") = false, py::arg("frame") = 0.0, py::arg("progress") = py::none(),
-               py::arg("threads") = 0);
+    module.def(
+        "open_scene", &open, py::arg("input"), py::kw_only(), py::arg("unit") = "",
+        py::arg("axes") = "", py::arg("material") = SceneOptions{}.material,
+        py::arg("shadows") = false, py::arg("frame") = 0.0, py::arg("progress") = py::none(),
+        py::arg("threads") = 0,
+        "Opens a scene file, or makes the scene of model files or of a Model.\n\n`unit` and `axes` "
+        "are those of keiko check, `material` the name of one built in or a file, `frame` the time "
+        "in a scene's animation. With `shadows` the body hides lamps from itself.");
 }
 
 } // namespace keiko::python

@@ -99,18 +99,27 @@ py::tuple illuminance(const OpenScene& open, const NumberRows& points, const py:
 } // namespace
 
 void add_verbs(py::module_& module) {
-    py::class_<PlacedLamps>(module, "Placement")
-        .def_readonly("coverage", &PlacedLamps::coverage)
-        .def_readonly("remarks", &PlacedLamps::remarks)
-        .def_property_readonly("rig", [](const PlacedLamps& placed) {
-            return py::module_::import("keiko").attr("Rig")(rig_text(placed.rig));
-        });
+    py::class_<PlacedLamps>(module, "Placement",
+                            "Placed lamps, and how much of the body mirrors them.")
+        .def_readonly("coverage", &PlacedLamps::coverage,
+                      "Share of the body that mirrors the lamps, 0 to 1.")
+        .def_readonly("remarks", &PlacedLamps::remarks,
+                      "What is worth knowing about the placement, a text each.")
+        .def_property_readonly(
+            "rig",
+            [](const PlacedLamps& placed) {
+                return py::module_::import("keiko").attr("Rig")(rig_text(placed.rig));
+            },
+            "The lamps, a Rig.");
     module.def("place_lamps", &place);
     module.def("info_json", &info);
     module.def("regress_json", &regress);
     module.def("accept_baselines", &accept_baselines, py::arg("suite"), py::arg("names"),
                py::kw_only(), py::arg("by"), py::arg("reason"), py::arg("output") = "keiko-regress",
-               py::arg("baselines") = "", py::arg("progress") = py::none(), py::arg("threads") = 0);
+               py::arg("baselines") = "", py::arg("progress") = py::none(), py::arg("threads") = 0,
+               "Makes the results of fixtures their baselines: what each new one changes, by "
+               "fixture.\n\n`names` are of fixtures in the suite. `by` and `reason` are written "
+               "into the baselines.");
     module.def("illuminance_numbers", &illuminance);
 }
 
