@@ -30,6 +30,26 @@ class Place(KeikoTest):
                      "-o", "rig.toml", *QUICK)
         self.assertEqual(self.content(), ["rig-front.toml", "rig-top.toml"])
 
+    def test_a_screen_and_a_panel_hang_where_tubes_would(self):
+        rigs = {}
+        for kind in ("tube", "screen", "panel"):
+            self.succeed("place", HOOD, "--view", "high-front", "--lamp", kind, "-o", f"{kind}.toml", "--report", "out",
+                         *QUICK)
+            report = self.report()
+            self.assertEqual(report["lamp"], kind)
+            text = (self.folder / f"{kind}.toml").read_text()
+            rows = sum(row["lamps"] for row in report["planes"])
+            self.assertEqual(text.count("[[polygon]]"),
+                             {"tube": 0, "screen": rows, "panel": len(report["planes"])}[kind])
+            self.assertEqual("[[c_plane]]" in text, kind == "tube")
+            rigs[kind] = report
+        self.assertEqual(rigs["screen"]["coverage"], rigs["tube"]["coverage"])
+        self.assertEqual(rigs["panel"]["planes"], rigs["tube"]["planes"])
+        self.succeed("render", HOOD, "--view", "high-front", "--rig", "screen.toml", "-o", "bars.png", "-q", *SMALL)
+        run = self.keiko("place", HOOD, "--rate", "panel.toml", *QUICK)
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("no lamps on a C-plane", run.stderr)
+
     def test_only_the_faces_that_were_named_count(self):
         self.succeed("place", HOOD, "--view", "high-front", "--faces", "1", "-o", "rig.toml",
                      "--report", "out", *QUICK)

@@ -25,7 +25,7 @@ const std::map<std::string, Vec3> named_planes{{"above", {0, 0, 1}},
 struct PlaceArguments {
     SceneArguments scene;
     PlaceOptions options;
-    std::string direction = "auto", stripes;
+    std::string direction = "auto", kind = "tube", stripes;
     std::vector<std::string> planes;
     bool pixels = false, each = false;
     std::filesystem::path output, report, rated, hits;
@@ -74,6 +74,8 @@ PlaceOptions placing(const PlaceArguments& arguments) {
     if (!arguments.stripes.empty()) placement.spacing = parse_stripes(arguments.stripes);
     placement.where = parse_planes(arguments.planes);
     if (arguments.direction == "along") placement.direction = LampDirection::along;
+    for (const LampKind kind : lamp_kinds)
+        if (name_of(kind) == arguments.kind) placement.kind = kind;
     if (arguments.direction == "across") placement.direction = LampDirection::across;
     if (arguments.pixels) placement.sampling.weight = SampleWeight::pixels;
     if (!arguments.rated.empty()) options.rated = read_rig_aloud(arguments.rated);
@@ -177,7 +179,13 @@ void add_choices(CLI::App& command, PlaceArguments& arguments) {
     command.add_option("--planes", placement.planes, "rows of lamps at most")
         ->check(number_between(1, 16))
         ->capture_default_str();
-    command.add_option("--lamps", placement.lamps, "lamps in a row; 0: as many as fit")
+    command
+        .add_option("--lamp", arguments.kind,
+                    "what hangs in a row: tubes, one luminous panel, or a screen of bright bars "
+                    "as wide as the dark ones between them")
+        ->check(CLI::IsMember({"tube", "panel", "screen"}))
+        ->capture_default_str();
+    command.add_option("--lamps", placement.lamps, "tubes or bars in a row; 0: as many as fit")
         ->check(number_between(0, 64))
         ->capture_default_str();
     command.add_option("--stripes", arguments.stripes,

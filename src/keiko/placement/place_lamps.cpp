@@ -202,13 +202,14 @@ Placement place_lamps(std::vector<ViewSample> seen, const SurfaceModel& model, c
     const RowSearch start(field, body, {options.lamps, wanted, options.direction, options.mirror},
                           options);
     Placement result;
-    result.rig.name = "placed", result.mirror = options.mirror;
+    result.rig.name = "placed", result.kind = options.kind, result.mirror = options.mirror;
     const RowSearch found = best_rows(start, result.candidates, job);
     for (const LampRectangle& row : found.rows()) {
         const CPlane lamps = found.lamps(row);
         field.place(lamps);
         result.planes.push_back({lamps, row.score, hit_histogram(field, lamps)});
-        result.rig.sources.emplace_back(lamps);
+        for (LightSource& light : lights_of(lamps, options.kind, body.center()))
+            result.rig.sources.push_back(std::move(light));
     }
     if (result.planes.empty())
         throw Error("", "placement", "no plane around the body mirrors to the cameras");

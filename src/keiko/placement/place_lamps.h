@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/placement/candidate_planes.h"
+#include "keiko/placement/lamp_kind.h"
 #include "keiko/placement/placement.h"
 #include "keiko/placement/plane_search.h"
 #include "keiko/placement/view_samples.h"
@@ -21,8 +22,9 @@ Placement rated_rig(std::vector<ViewSample> seen, const SurfaceModel& model, int
 
 /// Options of place_lamps.
 struct PlacementOptions {
-    int lamps = 12;           ///< on each plane; 0: as many as give the wanted spacing
-    int planes = 3;           ///< at most; one more is added only if it serves enough
+    LampKind kind = LampKind::tube; ///< what hangs in each row
+    int lamps = 12; ///< tubes or bars on each plane; 0: as many as give the wanted spacing
+    int planes = 3; ///< at most; one more is added only if it serves enough
     double least_gain = 0.05; ///< share of the picture that another plane must add
     double enough = 0.9;      ///< coverage at which no further plane is searched
     LampDirection direction = LampDirection::best; ///< of the lamps in their plane

@@ -5,6 +5,7 @@
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/placement/hit_histogram.h"
 #include "keiko/placement/lamp_field.h"
+#include "keiko/placement/lamp_kind.h"
 #include "keiko/placement/plane_search.h"
 #include "keiko/scene/symmetry.h"
 
@@ -79,9 +80,10 @@ struct PlaneCandidate {
 /// A rig for a picture, and its quality.
 struct Placement {
     LightRig rig;                        ///< the lamps that were placed
+    LampKind kind = LampKind::tube;      ///< of them; rows of other kinds have no diameter
     std::optional<MirrorPlane> mirror{}; ///< that the rig has been made symmetric about
     double coverage = 0;                 ///< share of the picture's weight that reflects lamps
-    std::vector<PlacedPlane> planes;     ///< best first; the rig's C-planes in the same order
+    std::vector<PlacedPlane> planes;     ///< best first; the rig's lamps in the same order
     StripeStatistics stripes;            ///< over all pictures
     std::vector<FaceCoverage> faces;     ///< every visible face, the largest unreached part first
     std::vector<UnreachedRegion> unreached; ///< the largest first

@@ -53,7 +53,7 @@ std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 /// Path of one path. Raises TypeError for anything else.
 std::filesystem::path path_of(const pybind11::object& input);
 
-/// What a value of an argument must be, for an error.
+/// Words for an error on what an argument must be.
 template <class Value>
 constexpr const char* meaning_of() {
     if constexpr (std::is_same_v<Value, bool>) return "True or False";

@@ -27,12 +27,21 @@ struct PlacedLamps {
     std::vector<std::string> remarks;
 };
 
-PlacedLamps place(const OpenScene& open, const std::vector<std::string>& views, int lamps,
-                  int planes, const py::object& progress, int threads) {
+LampKind kind_named(const std::string& name) {
+    for (const LampKind kind : lamp_kinds)
+        if (name_of(kind) == name) return kind;
+    throw FieldError("lamp", "is tube, panel or screen, not " + name);
+}
+
+PlacedLamps place(const OpenScene& open, const std::vector<std::string>& views,
+                  const std::string& lamp, int lamps, int planes, const py::object& progress,
+                  int threads) {
+    const LampKind kind = kind_named(lamp);
     return run({progress, threads}, [&](const Job& job) {
         PlaceOptions options;
         options.views = views;
-        options.placement.lamps = lamps, options.placement.planes = planes;
+        options.placement.kind = kind, options.placement.lamps = lamps,
+        options.placement.planes = planes;
         Placement placement = place_scene(*open.scene, options, job).placement;
         PlacedLamps placed{std::move(placement.rig), placement.coverage, {}};
         for (const Diagnostic& remark : placement.diagnostics)

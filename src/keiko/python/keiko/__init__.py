@@ -133,12 +133,14 @@ def accept(report, items, output, *, findings=(), why: str, who: str = "", until
                            who=who or _getpass.getuser(), until=until)
 
 
-def place(scene, *, views=(), lamps: int = 12, planes: int = 3, progress=None, threads: int = 0) -> Placement:
+def place(scene, *, views=(), lamp: str = "tube", lamps: int = 12, planes: int = 3, progress=None,
+          threads: int = 0) -> Placement:
     """Places rows of `lamps` lamps on up to `planes` planes where the body reflects the eyes of the views.
 
+    `lamp` is what hangs in a row: tube, panel (a single one) or screen (bright bars).
     The result has the `rig`, the share of the body that mirrors it as `coverage`, and `remarks`.
     """
-    return place_lamps(_opened(scene, progress, threads), _words(views), lamps, planes, progress, threads)
+    return place_lamps(_opened(scene, progress, threads), _words(views), lamp, lamps, planes, progress, threads)
 
 
 def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), look: str = "reflection", chord: float = 0.01,

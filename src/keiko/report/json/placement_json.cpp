@@ -68,6 +68,7 @@ std::string placement_json(const Placement& placement, const SurfaceModel& model
         {{"format", "keiko-placement/1"},
          {"tool", {{"name", "keiko"}, {"version", tool_version}}},
          {"rig", placement.rig.name},
+         {"lamp", name_of(placement.kind)},
          {"views", views},
          {"symmetry", placement.mirror ? Json(placement.mirror->text()) : Json()},
          {"coverage", placement.coverage},
