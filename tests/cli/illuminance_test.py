@@ -88,6 +88,36 @@ intensity = 400
         # d / D is 0.1: the paper is about 2.8 % too dark.
         self.assertAlmostEqual(lux["paper"] / lux["exact"], 1 - 0.028, delta=0.004)
 
+    def test_sight_tells_how_far_lamps_and_signs_are_seen(self):
+        scene = SCENE + """[[sign]]
+corners = [[3000, -500, 500], [3000, -500, 1500], [3000, 500, 1500], [3000, 500, 500]]
+[[sign.legend]]
+corners = [[3000, -200, 800], [3000, -200, 1200], [3000, 200, 1200], [3000, 200, 800]]
+[fog]
+extinction = 0.02
+ambient = 5
+"""
+        eye = "0,0,500,0,0,-1\n"
+        row, = self.rows(eye, "--sight", scene=scene)
+        self.assertEqual(list(row), ["distance_m", "near_contrast", "contrast", "visible_to_m", "sign.0.contrast",
+                                     "sign.0.legible_to_m", "spotlight.0.lux", "spotlight.0.visible_to_m"])
+        self.assertAlmostEqual(float(row["distance_m"]), 0.5, delta=1e-6)
+        self.assertAlmostEqual(float(row["spotlight.0.lux"]), 400 * math.exp(-0.02 * 1.5) / 1.5 ** 2, delta=1e-9)
+        left = math.exp(-0.02 * 3.041381)
+        self.assertAlmostEqual(float(row["sign.0.contrast"]), 360 * left / (40 * left + 5 * (1 - left)), delta=0.05)
+        near, = self.rows(eye, "--sight", "--least-contrast", "0.5", "--least-lux", "1e-3", scene=scene)
+        for column in ("sign.0.legible_to_m", "spotlight.0.visible_to_m"):
+            self.assertLess(float(near[column]), float(row[column]))
+        lux = float(near["spotlight.0.visible_to_m"])
+        self.assertAlmostEqual(400 * math.exp(-0.02 * lux) / lux ** 2, 1e-3, delta=1e-12)
+
+    def test_sight_needs_fog(self):
+        for arguments, said in ((("--sight",), "sight needs a scene file with a rig and [fog]"),
+                                (("--sight", "--summary"), "--summary"), (("--least-lux", "1"), "--sight")):
+            run = self.keiko("illuminance", self.write("scene.toml", SCENE), *arguments, "-q", input="0,0,0,0,0,1\n")
+            self.assertEqual((run.returncode, run.stdout, run.stderr.count("\n")), (2, "", 1))
+            self.assertIn(said, run.stderr)
+
     def test_a_malformed_line_ends_it_with_its_number(self):
         for line, reason in (("1,2,3,4,5\n", "expected x,y,z,nx,ny,nz, got 5 fields"),
                              ("1,2,3,0,0,0\n", "nx,ny,nz is no direction: all are 0"),

@@ -11,17 +11,20 @@ namespace {
 
 struct IlluminanceArguments {
     SceneArguments scene;
-    bool summary = false;
+    SightLimits limits;
+    bool summary = false, sight = false;
 };
 
 int illuminance(const IlluminanceArguments& arguments, const Job& job) {
     const StandardInput input(job);
     const StandardOutput output(job);
     const Scene scene = arguments.scene.open(job);
-    const auto tell = arguments.summary ? summarize_points : light_points;
-    const std::uint64_t points = tell(
-        scene, [&](std::span<char> bytes) { return input.read(bytes); },
-        [&](std::string_view text) { return output.write(text); }, job);
+    const ByteSource read = [&](std::span<char> bytes) { return input.read(bytes); };
+    const ByteSink write = [&](std::string_view text) { return output.write(text); };
+    const std::uint64_t points = arguments.sight
+                                     ? sight_points(scene, arguments.limits, read, write, job)
+                                 : arguments.summary ? summarize_points(scene, read, write, job)
+                                                     : light_points(scene, read, write, job);
     log_detail(std::to_string(points) + " points");
     return exit_pass;
 }
@@ -39,6 +42,23 @@ void add_illuminance(CLI::App& app, Session& session) {
     command.add_flag("--summary", arguments->summary,
                      "instead of a row for each point one for each source and one for the sum: "
                      "points, least, mean and largest illuminance, uniformity (least over mean)");
+    CLI::Option* sight = command.add_flag(
+        "--sight", arguments->sight,
+        "what eyes see in fog: lines of an eye and a direction, ox,oy,oz,dx,dy,dz; a row has the "
+        "contrast and the visual range of the surface ahead, of the scene's signs, and the light "
+        "and the range of its bare lamps");
+    sight->excludes("--summary");
+    command.add_option("--least-contrast", arguments->limits.contrast, "that an eye can see")
+        ->check(number_between(1e-6, 1))
+        ->capture_default_str()
+        ->needs(sight);
+    command
+        .add_option("--least-lux", arguments->limits.lux,
+                    "of a lamp at the eye that can be seen: 2e-7 on a dark night, 1e-4 in "
+                    "twilight, 1e-3 by day")
+        ->check(number_between(1e-12, 1e6))
+        ->capture_default_str()
+        ->needs(sight);
     command.footer(
         "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
         "length (line 1 may name the columns). Writes a header line and a row for each point in "

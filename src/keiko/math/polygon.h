@@ -18,6 +18,15 @@ inline Vec3 polygon_normal(std::span<const Vec3> corners) {
     return sum;
 }
 
+/// True if two segments, a to b and c to d, of a plane with this normal cross inside of both.
+inline bool segments_cross(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d,
+                           const Vec3& normal) {
+    const auto side = [&](const Vec3& from, const Vec3& to, const Vec3& at) {
+        return normal.dot((to - from).cross(at - from));
+    };
+    return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
+}
+
 /// Calls `visit(x)` where a side of a polygon crosses the line y, in the order of the sides. A
 /// point (p, y) is inside by the even-odd rule if an odd number of them is beyond p.
 template <class Visit>

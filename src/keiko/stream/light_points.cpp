@@ -5,10 +5,10 @@
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/render/shading/glass_loss.h"
 #include "keiko/stream/hit_columns.h"
+#include "keiko/stream/source_columns.h"
 #include "keiko/stream/trace_rays.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -21,17 +21,9 @@ struct Piece : RowPiece {
     std::vector<std::vector<double>> lux;
 };
 
-/// "c_plane.0", "c_plane.1", "spotlight.0", "sum": kinds in the order of LightSource.
+/// The columns of the sources, and "sum".
 std::vector<std::string> columns_of(const LightRig& rig) {
-    constexpr std::array<std::string_view, std::variant_size_v<LightSource>> kinds{
-        "c_plane", "spotlight", "luminaire", "sun", "polygon", "sphere", "point", "line", "sky"};
-    static_assert(!kinds.back().empty(), "each kind of light has a name");
-    std::array<int, kinds.size()> counts{};
-    std::vector<std::string> columns;
-    for (const LightSource& source : rig.sources) {
-        const std::size_t kind = source.index();
-        columns.push_back(std::string(kinds[kind]) + "." + std::to_string(counts[kind]++));
-    }
+    std::vector<std::string> columns = source_columns(rig);
     columns.emplace_back("sum");
     return columns;
 }

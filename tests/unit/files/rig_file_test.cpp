@@ -208,7 +208,7 @@ TEST(RigFile, RefusesToWriteWhatCannotBeRead) {
 
 TEST(RigFile, WritesAFileThatReadsBack) {
     const fs::path path = fs::path(testing::TempDir()) / "keiko-written-rig.toml";
-    write_rig(path, {"written", {CPlane{}}, Rgb(0), {}});
+    write_rig(path, {"written", {CPlane{}}, {}, Rgb(0), {}});
     EXPECT_EQ(read_rig(path).name, "written");
     EXPECT_NE(read_file(path).find("# cd/m2"), std::string::npos);
     fs::remove(path);
@@ -286,11 +286,11 @@ TEST(RigFile, WhatIsMissingOrContradictsIsNamed) {
     EXPECT_EQ(rig_error(head + spot + "edge = \"sfot\"\n"),
               "bad.toml:5:8: spotlight[0].edge: 'sfot' is none of sharp, soft, mixed, power, "
               "polynomial, table (did you mean 'soft'?)");
-    EXPECT_EQ(
-        rig_error(head),
-        "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
-        "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [[box]] nor [[point]] nor [[line]] "
-        "nor [sun] nor [sky]");
+    EXPECT_EQ(rig_error(head),
+              "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
+              "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [[box]] nor [[sign]] nor "
+              "[[point]] nor [[line]] "
+              "nor [sun] nor [sky]");
 }
 
 TEST(RigFile, WhatIsNotSupportedYetSaysSo) {

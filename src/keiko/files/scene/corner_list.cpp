@@ -2,6 +2,7 @@
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/geometry/rays/visibility.h"
+#include "keiko/math/axes.h"
 #include "keiko/math/bounds.h"
 #include "keiko/math/polygon.h"
 
@@ -21,25 +22,48 @@ double size_of(const std::vector<Vec3>& corners) {
     return box.size();
 }
 
-/// True if two segments of a plane with this normal cross inside of both.
-bool cross(const Segment& p, const Segment& q, const Vec3& normal) {
-    const auto side = [&](const Segment& line, const Vec3& at) {
-        return normal.dot((line.b - line.a).cross(at - line.a));
-    };
-    return side(p, q.a) * side(p, q.b) < 0 && side(q, p.a) * side(q, p.b) < 0;
-}
-
 double distance_to(const Segment& line, const Vec3& point) {
     const Vec3 way = line.b - line.a;
     const double t = std::clamp((point - line.a).dot(way) / way.length2(), 0.0, 1.0);
     return (line.at(t) - point).length();
 }
 
-/// A closed outline of corners; messages count corners and sides from 1.
+/// A closed outline of corners, which it keeps a reference to; messages count corners and sides
+/// from 1.
 class Ring {
 public:
     explicit Ring(const std::vector<Vec3>& corners)
         : corners_(corners), touching_(flat_enough * size_of(corners)) {}
+
+    /// True if all of another ring in the plane lies inside, without touching.
+    bool holds_all_of(const Ring& other) const {
+        return apart_from(other) && contains(other.corners_.front());
+    }
+    /// True if no side of another ring in the plane comes to one of this ring.
+    bool apart_from(const Ring& other) const {
+        const Vec3 normal = polygon_normal(corners_);
+        for (std::size_t i = 0; i < count(); ++i)
+            for (std::size_t k = 0; k < other.count(); ++k) {
+                const Segment a = side(i), b = other.side(k);
+                if (segments_cross(a.a, a.b, b.a, b.b, normal) ||
+                    !(distance_to(b, a.a) > touching_) || !(distance_to(a, b.a) > touching_))
+                    return false;
+            }
+        return true;
+    }
+    /// True for a point of the plane inside, by the even-odd rule.
+    bool contains(const Vec3& point) const {
+        const Vec3 normal = polygon_normal(corners_).normalized();
+        const Vec3 u = any_perpendicular(normal), v = normal.cross(u);
+        std::vector<Vec2> flat;
+        for (const Vec3& corner : corners_) flat.emplace_back(u.dot(corner), v.dot(corner));
+        return holds(flat, {u.dot(point), v.dot(point)});
+    }
+    /// True for a point of the ring's plane.
+    bool lies_in_plane(const Vec3& point) const {
+        const Vec3 normal = polygon_normal(corners_).normalized();
+        return std::abs(normal.dot(point - corners_.front())) <= touching_;
+    }
 
     /// Description of a place where the outline meets itself; empty if it does not.
     std::string fault() const {
@@ -72,7 +96,7 @@ private:
         const Vec3 normal = polygon_normal(corners_);
         for (std::size_t i = 0; i < count(); ++i)
             for (std::size_t k = i + 2; k < count(); ++k)
-                if (cross(side(i), side(k), normal))
+                if (segments_cross(side(i).a, side(i).b, side(k).a, side(k).b, normal))
                     return "sides " + number(i) + " and " + number(k) + " cross each other";
         return {};
     }
@@ -112,6 +136,21 @@ void require_ring(const TomlTable& table, const std::vector<Vec3>& corners) {
     require_polygon(table, corners);
     if (const std::string fault = Ring(corners).fault(); !fault.empty())
         throw table.error("corners", fault);
+}
+
+void require_legend(const TomlTable& table, const PolygonLight& part, const LuminousSign& sign) {
+    const Ring ring(part.corners), panel(sign.panel.corners);
+    for (const Vec3& corner : part.corners)
+        if (!panel.lies_in_plane(corner))
+            throw table.error("corners", "must lie in the plane of the sign");
+    if (!panel.holds_all_of(ring))
+        throw table.error("corners", "must lie inside of the sign, apart from its outline");
+    for (std::size_t i = 0; i < sign.legend.size(); ++i) {
+        const Ring other(sign.legend[i].corners);
+        if (!other.apart_from(ring) || other.contains(part.corners.front()) ||
+            ring.contains(sign.legend[i].corners.front()))
+            throw table.error("corners", "must lie apart from legend " + std::to_string(i + 1));
+    }
 }
 
 std::string corners_line(const std::vector<Vec3>& corners) {

@@ -7,6 +7,7 @@
 #include "keiko/files/toml/toml_text.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -64,6 +65,10 @@ LightRig rig_from(const TomlTable& table) {
     for (const TomlTable& t : table.tables("sphere")) take(t, sphere_light_from(t));
     for (const TomlTable& t : table.tables("box"))
         for (PolygonLight& face : box_faces_from(t)) take(t, std::move(face));
+    for (const TomlTable& t : table.tables("sign")) {
+        rig.signs.push_back(sign_from(t));
+        for (PolygonLight& panel : rig.signs.back().panels()) take(t, std::move(panel));
+    }
     for (const TomlTable& t : table.tables("point")) take(t, point_from(t));
     for (const TomlTable& t : table.tables("line")) take(t, line_from(t));
     const Daylight daylight = daylight_from(table);
@@ -86,7 +91,8 @@ LightRig whole_rig(const TomlTable& root) {
         throw root.error(
             "",
             "the rig has no light: neither [[c_plane]] nor [[spotlight]] nor [[luminaire]] "
-            "nor [[polygon]] nor [[sphere]] nor [[box]] nor [[point]] nor [[line]] nor [sun] "
+            "nor [[polygon]] nor [[sphere]] nor [[box]] nor [[sign]] nor [[point]] nor [[line]] "
+            "nor [sun] "
             "nor [sky]");
     return rig;
 }
@@ -122,6 +128,36 @@ struct Text {
     }
 };
 
+/// The signs by the place of their first panel among the sources; one without its panels is none.
+std::map<std::size_t, const LuminousSign*> placed_signs(const LightRig& rig) {
+    std::map<std::size_t, const LuminousSign*> placed;
+    const auto is_panel = [](const LightSource& source, const PolygonLight& panel) {
+        const auto* light = std::get_if<PolygonLight>(&source);
+        return light && *light == panel;
+    };
+    for (const LuminousSign& sign : rig.signs) {
+        const std::vector<PolygonLight> panels = sign.panels();
+        const auto found = std::search(rig.sources.begin(), rig.sources.end(), panels.begin(),
+                                       panels.end(), is_panel);
+        if (found != rig.sources.end())
+            placed.emplace(static_cast<std::size_t>(found - rig.sources.begin()), &sign);
+    }
+    return placed;
+}
+
+/// Tables of all sources, in their order; a sign stands for its panels.
+std::string sources_text(const LightRig& rig, const std::filesystem::path& folder) {
+    const auto signs = placed_signs(rig);
+    std::string text;
+    for (std::size_t i = 0; i < rig.sources.size();) {
+        const auto sign = signs.find(i);
+        text += sign == signs.end() ? std::visit(Text{folder}, rig.sources[i])
+                                    : table_text(*sign->second);
+        i += sign == signs.end() ? 1 : 1 + sign->second->legend.size();
+    }
+    return text;
+}
+
 /// The only source of a kind that a file has one of; null if there is none. Throws Error for more.
 template <class Kind>
 const Kind* only_one(const LightRig& rig, const std::string& name) {
@@ -149,7 +185,7 @@ std::string rig_text(const LightRig& rig, const std::filesystem::path& folder) {
     std::string text = toml_line("format", toml_string(format));
     if (!rig.name.empty()) text += toml_line("name", toml_string(rig.name));
     if (rig.ambient != Rgb(0)) text += toml_line("ambient", toml_value(rig.ambient), "lx");
-    for (const LightSource& source : rig.sources) text += std::visit(Text{folder}, source);
+    text += sources_text(rig, folder);
     text += windows_text(rig);
     if (rig.medium) text += table_text(*rig.medium, folder);
     return text;

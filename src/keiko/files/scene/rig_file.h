@@ -19,8 +19,8 @@ LightRig parse_rig(std::string_view text, const std::string& source);
 /// names a file, whether there is such a file or not.
 LightRig parse_rig_alone(std::string_view text, const std::string& source);
 /// The rig whose keys stand among others in `table`: name, ambient, [[c_plane]], [[spotlight]],
-/// [[luminaire]], [[polygon]], [[sphere]], [[box]], [[point]], [[line]], [sun], [sky], [place],
-/// [[window]], [fog].
+/// [[luminaire]], [[polygon]], [[sphere]], [[box]], [[sign]], [[point]], [[line]], [sun], [sky],
+/// [place], [[window]], [fog].
 LightRig rig_from(const TomlTable& table);
 
 /// The text of a rig file: every number reads back as the same double, units are named in

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/light/areas/area_lights.h"
+#include "keiko/light/areas/sign.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/voxel_density.h"
 #include "keiko/light/lines/line_light.h"
@@ -78,6 +79,14 @@ Rgb luminance_from(const TomlTable& table, const Rgb& otherwise,
 PolygonLight polygon_light_from(const TomlTable& table);
 /// A [[polygon]] that reads back as the same panel.
 std::string table_text(const PolygonLight& light);
+
+/// The sign of a [[sign]] with its [[sign.legend]]. Throws Error with file, line and column.
+LuminousSign sign_from(const TomlTable& table);
+/// A [[sign]] that reads back as the same sign.
+std::string table_text(const LuminousSign& sign);
+/// Throws Error at the corners of a part of a legend unless it lies inside of the sign, in its
+/// plane, and apart from the parts that the sign has.
+void require_legend(const TomlTable& table, const PolygonLight& part, const LuminousSign& sign);
 
 /// The globe of a [[sphere]]. Throws Error with file, line and column.
 SphereLight sphere_light_from(const TomlTable& table);

@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/light/areas/area_lights.h"
+#include "keiko/light/areas/sign.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/fog/window_beam.h"
 #include "keiko/light/lines/line_light.h"
@@ -58,8 +59,10 @@ concept ExtendedLight = AreaLight<Light> || std::same_as<Light, LineLight>;
 struct LightRig {
     std::string name;                 ///< or empty
     std::vector<LightSource> sources; ///< all lights, in order
-    Rgb ambient{0};                   ///< lx of unshadowed ambient illuminance on every surface
-    std::optional<Medium> medium{};   ///< the air between them; none: vacuum
+    /// Signs, for those who read them; their panels are among the sources.
+    std::vector<LuminousSign> signs{};
+    Rgb ambient{0};                 ///< lx of unshadowed ambient illuminance on every surface
+    std::optional<Medium> medium{}; ///< the air between them; none: vacuum
 };
 
 } // namespace keiko
