@@ -540,6 +540,44 @@ class ModuleTest(unittest.TestCase):
                 with self.assertRaisesRegex(keiko.Error, "^join: is not 1e-6 to 1000 mm"):
                     verb(self.sheets, join=join)
 
+    def test_numbers_out_of_range_and_other_shapes_are_refused(self):
+        points, normals = np.zeros((2, 3)), np.ones((2, 3))
+        rig = ROOT / "lightrigs/tunnel-12.toml"
+        wrong = [(keiko.illuminance, (self.scene, points, normals[:1]), {"rig": rig}, "normals: are 1, of 2 points"),
+                 (keiko.illuminance, (self.scene, np.zeros((2, 2)), np.ones((2, 4))), {"rig": rig}, "points: "),
+                 (keiko.illuminance, (self.scene, [["a", 0, 0]], normals[:1]), {"rig": rig}, "points: "),
+                 (keiko.illuminance, (self.scene, points * 1j, normals), {"rig": rig}, "points: "),
+                 (keiko.luminance, (self.scene, [[1, 2], [3]]), {"rig": rig}, "rays: "),
+                 (self.scene.trace, ([["0"] * 6],), {}, "rays: "), (self.scene.trace_all, (np.zeros((3, 5)),), {}, "rays: "),
+                 (self.scene.trace, ([[10 ** 400, 0, 0, 0, 0, 1]],), {}, "rays: "),
+                 (keiko.compare_scan, (self.scene, [["a", "b", "c"]]), {}, "scan: "),
+                 (keiko.compare_scan, (self.scene, 5), {}, "scan: "),
+                 (keiko.compare_scan, (self.scene, points), {"reach": -1}, "reach: "),
+                 (keiko.read_scan, ("a.xyz",), {"millimetres": float("nan")}, "millimetres: "),
+                 (keiko.mesh, (self.scene,), {"reach": float("nan")}, "reach: "),
+                 (keiko.place, (self.scene,), {"lamps": -1}, "lamps: "), (keiko.place, (self.scene,), {"planes": 0}, "planes: "),
+                 (keiko.place, (self.scene,), {"lamp": "bulb"}, "lamp: is tube, panel or screen"),
+                 (keiko.check, (self.sheets,), {"iso_curves": -1}, "iso_curves: "),
+                 (keiko.check, (self.sheets,), {"threads": -1}, "threads: "),
+                 (keiko.compare, (self.sheets, self.sheets), {"views": (), "width": 10 ** 6, "height": 9}, "width: "),
+                 (keiko.accept, ("report.json", 1, "out.json"), {"why": " "}, "why: is empty"),
+                 (keiko.load, (self.sheets.read_text(),), {}, "input: is a text of several lines"),
+                 (keiko.Curve, ("x", keiko.check(self.sheets, curves=True).curves[0].pieces), {"deviation": float("nan")}, "deviation: ")]
+        for verb, inputs, arguments, words in wrong:
+            with self.assertRaisesRegex(keiko.Error, f"^{re.escape(words)}", msg=words):
+                verb(*inputs, **arguments)
+        for path in ("bad\0name.step", None, 7, open(os.devnull, encoding="utf-8")):
+            with self.assertRaisesRegex(TypeError, "^a path is needed"):
+                keiko.load(path)
+        with self.assertRaisesRegex(TypeError, "^threads: a whole number is needed, not 1.5$"):
+            keiko.load(self.sheets, threads=1.5)
+        mesh = keiko.mesh(self.scene, "k1")
+        for span in ((1, 0), (0, 0), (float("nan"), 1)):
+            with self.assertRaisesRegex(keiko.Error, "^range: "):
+                mesh.ply(span)
+        self.assertNotIn("check_json", dir(keiko))
+        self.assertIn("check", dir(keiko))
+
     def test_progress_is_told_and_may_stop(self):
         stages = []
         keiko.open_scene(CAR, progress=lambda stage, share: stages.append((stage, share)))

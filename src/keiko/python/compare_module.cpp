@@ -40,6 +40,8 @@ std::optional<CompareViewsOptions> views_of(const py::dict& given, const ChosenR
     options.width = taken<int>(given, "width"), options.height = taken<int>(given, "height");
     if (options.width < 0 || options.height < 0 || (options.width > 0) != (options.height > 0))
         throw FieldError("width", "and height are both above 0, or both 0");
+    if (options.width > 0)
+        require_size("width", options.width), require_size("height", options.height);
     return options;
 }
 

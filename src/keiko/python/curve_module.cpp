@@ -9,6 +9,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -56,6 +57,8 @@ py::array_t<double> knots_of(const Spline& spline) {
 NamedCurve curve(const std::string& name, std::vector<Spline> pieces, const Color& color,
                  double deviation) {
     if (pieces.empty()) throw FieldError("pieces", "a curve has at least one");
+    if (!(deviation >= 0 && std::isfinite(deviation)))
+        throw FieldError("deviation", "is not 0 mm or above");
     NamedCurve made{name, {}, deviation, std::move(pieces)};
     for (const double share : color.value_or(std::array<double, 3>{}))
         if (!(share >= 0 && share <= 1)) throw FieldError("color", "is not 0 to 1");

@@ -1,10 +1,12 @@
 #include "keiko/api/model.h"
+#include "keiko/base/error.h"
 #include "keiko/python/module.h"
 #include "keiko/python/work.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -48,6 +50,8 @@ SurfaceMesh mesh(const OpenScene& open, double deviation, const std::vector<std:
 using Range = std::optional<std::pair<double, double>>;
 
 std::optional<ValueRange> range_of(const Range& range) {
+    if (range && !(range->first < range->second && std::isfinite(range->second - range->first)))
+        throw FieldError("range", "does not rise from one number to another");
     return range ? std::optional(ValueRange{range->first, range->second}) : std::nullopt;
 }
 

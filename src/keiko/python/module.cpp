@@ -13,6 +13,8 @@ namespace py = pybind11;
 namespace keiko::python {
 namespace {
 
+constexpr std::size_t longest_word = 60; ///< of what an error shows
+
 /// keiko.Error of C++'s: one line, with its parts as attributes.
 void raise(const py::object& type, const Error& error) {
     const py::object raised = type(error.what());
@@ -25,13 +27,26 @@ void raise(const py::object& type, const Error& error) {
 } // namespace
 
 std::filesystem::path path_of(const py::object& input) {
-    if (!py::isinstance<py::str>(input) && !py::hasattr(input, "__fspath__"))
-        throw py::type_error("a path is needed");
-    return input.cast<std::filesystem::path>();
+    const auto refuse = [&] {
+        const std::string given = py::repr(input).cast<std::string>();
+        throw py::type_error("a path is needed, not " + given.substr(0, longest_word));
+    };
+    if (!py::isinstance<py::str>(input) && !py::hasattr(input, "__fspath__")) refuse();
+    if (py::isinstance<py::str>(input) && input.contains("\n"))
+        throw FieldError("input",
+                         "is a text of several lines, no path: a body's goes to keiko.load "
+                         "as bytes, a rig's to keiko.Rig");
+    try {
+        return input.cast<std::filesystem::path>();
+    } catch (const py::cast_error&) {
+        refuse();
+    }
+    return {};
 }
 
 std::vector<std::filesystem::path> paths_of(const py::object& input) {
     if (py::isinstance<py::str>(input) || py::hasattr(input, "__fspath__")) return {path_of(input)};
+    if (!py::isinstance<py::sequence>(input)) return {path_of(input)}; // raises
     std::vector<std::filesystem::path> paths;
     for (const py::handle& one : input)
         paths.push_back(path_of(py::reinterpret_borrow<py::object>(one)));

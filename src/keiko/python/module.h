@@ -46,11 +46,11 @@ using NumberRows = pybind11::array_t<double, pybind11::array::c_style | pybind11
 /// for another shape; `meaning`: what a row holds.
 std::vector<Ray> rays_of(const NumberRows& array, const char* field, const char* meaning);
 
-/// Paths of one path, or of a sequence of paths. Raises TypeError for anything else, and ValueError
-/// for an empty sequence.
+/// Paths of one path, or of a sequence of paths. Raises TypeError for anything else, and Error for
+/// an empty sequence and as path_of.
 std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 
-/// Path of one path. Raises TypeError for anything else.
+/// Path of one path. Raises TypeError for anything else, and Error for a text of several lines.
 std::filesystem::path path_of(const pybind11::object& input);
 
 /// Words for an error on what an argument must be.
@@ -114,6 +114,9 @@ struct ChosenRig {
     /// These lamps, or else the scene's own. Throws Error without either.
     LightRig of(const Scene& scene) const;
 };
+
+/// Throws Error unless the pixels of a side, if they are given, are 1 to 65536.
+void require_size(const std::string& name, std::optional<int> pixels);
 
 /// The view of a name, empty for the scene's own or the best; its size is the scene's where none is
 /// given.

@@ -82,6 +82,7 @@ Film render(const OpenScene& open, const std::string& view, const py::object& ri
 
 py::bytes png(const Film& film, const std::string& tone, const std::optional<double>& ev) {
     using Curve = ToneMapping::Curve;
+    if (ev && !std::isfinite(*ev)) throw FieldError("ev", "is not a finite number");
     ToneMapping mapping;
     mapping.curve = value_of<Curve>(
         "tone", tone,
@@ -102,13 +103,13 @@ py::object false_colors(const Film& film, double minimum, double maximum,
     return py::module_::import("keiko").attr("Picture")(py::bytes(encode_png(picture)));
 }
 
+} // namespace
+
 void require_size(const std::string& name, std::optional<int> pixels) {
     constexpr int most = 65536; // as in scenes
     if (pixels && !(*pixels >= 1 && *pixels <= most))
         throw FieldError(name, "is not 1 to " + std::to_string(most) + " pixels");
 }
-
-} // namespace
 
 NamedView view_named(const Scene& scene, const std::string& view, std::optional<int> width,
                      std::optional<int> height, const Job& job) {

@@ -62,9 +62,16 @@ py::array array_of(std::vector<HitRow> rows) {
     return py::array_t<HitRow>(count, data, owner);
 }
 
-py::array trace(const OpenScene& open, const NumberRows& array, const py::object& progress,
+/// Rays of anything that NumPy can make rows of numbers of. Raises keiko.Error for anything else.
+std::vector<Ray> rays_from(const py::object& given) {
+    constexpr const char *field = "rays", *meaning = "origin and direction";
+    const py::object rows = py::module_::import("keiko._arguments").attr("rows");
+    return rays_of(rows(field, given, 6, meaning).cast<NumberRows>(), field, meaning);
+}
+
+py::array trace(const OpenScene& open, const py::object& array, const py::object& progress,
                 int threads) {
-    const std::vector<Ray> rays = rays_of(array, "rays", "origin and direction");
+    const std::vector<Ray> rays = rays_from(array);
     return array_of(run({progress, threads}, [&](const Job& job) {
         std::vector<HitRow> rows(rays.size());
         trace_hits(
@@ -76,9 +83,9 @@ py::array trace(const OpenScene& open, const NumberRows& array, const py::object
 }
 
 /// The index of the ray of each hit, and the hits of all rays, by ray and rising t.
-py::tuple trace_all(const OpenScene& open, const NumberRows& array, const py::object& progress,
+py::tuple trace_all(const OpenScene& open, const py::object& array, const py::object& progress,
                     int threads) {
-    const std::vector<Ray> rays = rays_of(array, "rays", "origin and direction");
+    const std::vector<Ray> rays = rays_from(array);
     const auto found = run({progress, threads}, [&](const Job& job) {
         std::vector<std::vector<HitRow>> rows(rays.size());
         trace_all_hits(

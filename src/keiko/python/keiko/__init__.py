@@ -4,6 +4,8 @@ Lengths are in mm, angles in degrees, luminances in cd/m2. Long functions releas
 lock, call `progress(stage, fraction)` if one is given, and end on Ctrl-C. Bad input raises Error, an argument
 of a wrong type TypeError.
 """
+from __future__ import annotations
+
 import getpass as _getpass
 import os as _os
 import pathlib as _pathlib
@@ -12,6 +14,7 @@ import tempfile as _tempfile
 import numpy as _np
 
 from . import _pages
+from ._arguments import checked as _checked, error as _error, rows as _rows
 from ._documents import Check, Comparison, Document, Facts, Judged, Lines, Regression, Report, ScanComparison
 from ._keiko import (Curve, DeepBuffer, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
                      accept_findings, analysis_png, check_json, comparison_files, deep_buffer, find_lines, hit_dtype,
@@ -43,6 +46,11 @@ for _type, _page in ((Mesh, _pages.mesh), (Model, _pages.model), (Placement, _pa
     _type._repr_html_ = _shown_by(_page)
 
 
+def __dir__() -> list:
+    """The public names."""
+    return [*__all__, "__doc__", "__version__"]
+
+
 def _unpickled(content, paths) -> Model:
     """A model from a pickle."""
     return unpickled_model(content, paths)
@@ -53,6 +61,7 @@ def _reopen(paths, options) -> Scene:
     return open_scene(paths, **options)
 
 
+@_checked
 def load(input, *, name: str = "", unit: str = "", axes: str = "", progress=None, threads: int = 0) -> Model:
     """Reads a body once, for many verbs: a model file, several ones, or the bytes of one.
 
@@ -86,10 +95,13 @@ def _scope(faces, layers, colors, zones) -> dict:
 
 def _judging(preset, join, scope, joints, sections, iso_curves, accepted) -> dict:
     """What check and inspect judge alike."""
+    if not 0 <= iso_curves <= 1000:
+        raise _error("iso_curves", "is not 0 to 1000")
     return {"preset": str(preset), "join": join, "joints": joints, "sections": _words(sections),
             "iso_curves": iso_curves, "accepted": accepted, **scope}
 
 
+@_checked
 def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str = "", axes: str = "",
           faces=(), layers=(), colors=(), zones=(), joints: bool = False, sections=(), iso_curves: int = 0,
           profiles: bool = False, curves: bool = False, accepted=None, progress=None, threads: int = 0) -> Check:
@@ -104,6 +116,7 @@ def check(input, preset: str = "class-a-outer", *, join: float = 0.5, unit: str 
     return Check(*check_json(input, judging, unit, axes, profiles, curves, progress, threads))
 
 
+@_checked
 def inspect(scene, preset: str = "class-a-outer", *, join: float = 0.5, views=(), rig=None, faces=(),
             layers=(), colors=(), zones=(), joints: bool = False, sections=(), iso_curves: int = 0,
             accepted=None, close_ups: int = 12, progress=None, threads: int = 0) -> Report:
@@ -121,6 +134,7 @@ def _numbers(one_or_more) -> list:
     return [one_or_more] if isinstance(one_or_more, int) else list(one_or_more)
 
 
+@_checked
 def accept(report, items, output, *, findings=(), why: str, who: str = "", until: str = "") -> int:
     """Accepts faults and findings of a report, by their numbers from 1, as `keiko accept` does.
 
@@ -129,20 +143,29 @@ def accept(report, items, output, *, findings=(), why: str, who: str = "", until
     are added to; it is made if missing. `who` is the login name unless given, `until` a date as
     2026-11-27. Returns the number of findings in the file.
     """
+    if not why.strip():
+        raise _error("why", "is empty")
     return accept_findings(report, _numbers(items), output, findings=_numbers(findings), why=why,
                            who=who or _getpass.getuser(), until=until)
 
 
+@_checked
 def place(scene, *, views=(), lamp: str = "tube", lamps: int = 12, planes: int = 3, progress=None,
           threads: int = 0) -> Placement:
     """Places rows of `lamps` lamps on up to `planes` planes where the body reflects the eyes of the views.
 
-    `lamp` is what hangs in a row: tube, panel (a single one) or screen (bright bars).
+    `lamps` is 0 to 64, 0: as many as fit; `planes` 1 to 16. `lamp` is what hangs in a row: tube, panel (a single
+    one) or screen (bright bars).
     The result has the `rig`, the share of the body that mirrors it as `coverage`, and `remarks`.
     """
+    if not 0 <= lamps <= 64:
+        raise _error("lamps", "is not 0 to 64")
+    if not 1 <= planes <= 16:
+        raise _error("planes", "is not 1 to 16")
     return place_lamps(_opened(scene, progress, threads), _words(views), lamp, lamps, planes, progress, threads)
 
 
+@_checked
 def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), look: str = "reflection", chord: float = 0.01,
           join: float = 0.5, faces=(), layers=(), colors=(), zones=(), curves: bool = False, contours: bool = False,
           progress=None, threads: int = 0) -> Lines:
@@ -159,6 +182,7 @@ def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), look: str
     return Lines(*find_lines(scene, rig, options, progress, threads))
 
 
+@_checked
 def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, align: bool = False, faces=(),
             layers=(), colors=(), zones=(), views=None, rig=None, width: int = 0, height: int = 0, progress=None,
             threads: int = 0) -> Comparison:
@@ -172,14 +196,23 @@ def compare(before, after, preset: str = "class-a-outer", *, join: float = 0.5, 
     return Comparison(comparison_files(before, after, options, progress, threads), _os.getcwd())
 
 
+def _require_reach(reach):
+    if not 0 <= reach < float("inf"):
+        raise _error("reach", "is not 0 mm or above")
+
+
+@_checked
 def read_scan(file, *, millimetres: float = 1):
     """Points of a scan, .stl, .ply, .asc or .xyz, as an array (n, 3) in mm.
 
     `millimetres`: those in one unit of the file.
     """
+    if not 0 < millimetres < float("inf"):
+        raise _error("millimetres", "is not above 0")
     return scan_points(file, millimetres)
 
 
+@_checked
 def compare_scan(nominal, scan, *, tolerance: float | None = None, least_share: float = 1, align: bool = True,
                  reach: float = 0, views=None, progress=None, threads: int = 0) -> ScanComparison:
     """Measures how far points lie from the exact surface, and judges them by a tolerance in mm.
@@ -189,14 +222,16 @@ def compare_scan(nominal, scan, *, tolerance: float | None = None, least_share: 
     surface first. Points farther than `reach` mm are outside of any tolerance; 0: a fiftieth of the size of
     the nominal. `views` are those of the maps in `html`: () for three automatic ones, None for no maps.
     """
+    _require_reach(reach)
     is_file = isinstance(scan, (str, _os.PathLike))
-    points = read_scan(scan) if is_file else _np.asarray(scan, float)
+    points = read_scan(scan) if is_file else _rows("scan", scan, 3, "x, y and z in mm")
     name = _os.fspath(scan) if is_file else f"{len(points)} points"
     nominal = _opened(nominal, progress, threads)
     return ScanComparison(*scan_deviations(nominal, points, name, tolerance, least_share, align, reach,
                                            None if views is None else _words(views), progress, threads))
 
 
+@_checked
 def mesh(scene, fields=(), *, deviation: float = 0.1, pull=(0, 0, 1), against=None, reach: float = 0, progress=None,
          threads: int = 0) -> Mesh:
     """A body in triangles, whose corners lie on the exact surface, with numbers of it at each corner.
@@ -207,43 +242,54 @@ def mesh(scene, fields=(), *, deviation: float = 0.1, pull=(0, 0, 1), against=No
     (m) and `fields` are arrays; `vtp()`, `ply(range)` and `glb(range)` are the bytes of files, coloured by the
     first field over a range (low, high).
     """
+    _require_reach(reach)
     scene = _opened(scene, progress, threads)
     other = None if against is None else _opened(against, progress, threads)
     return surface_mesh(scene, deviation, _words(fields), tuple(pull), other, reach, progress, threads)
 
 
+@_checked
 def info(file, *, unit: str = "", axes: str = "", join: float = 0.5, progress=None,
          threads: int = 0) -> Facts:
     """Summarises a model file or a Model: faces, patches, borders, losses and repairs."""
     return Facts(info_json(file, unit, axes, join, progress, threads))
 
 
+@_checked
 def regress(suite, output="keiko-regress", *, baselines="", only=(), fresh: bool = False,
             progress=None, threads: int = 0) -> Regression:
     """Runs the fixtures of a folder and holds them against their baselines."""
-    return Regression(regress_json(suite, output, baselines, list(only), fresh, progress, threads))
+    return Regression(regress_json(suite, output, baselines, _words(only), fresh, progress, threads))
 
 
+@_checked
 def illuminance(scene, points, normals, *, rig=None, progress=None, threads: int = 0):
     """Illuminance in lx at points (n, 3), in mm, with normals (n, 3), by the scene's lamps or those of `rig`.
 
     Returns a structured array of n rows: a column for each source, "c_plane.0", and "sum".
     """
-    rows = _np.hstack([_np.asarray(points, float), _np.asarray(normals, float)])
+    points = _rows("points", points, 3, "x, y and z in mm")
+    normals = _rows("normals", normals, 3, "x, y and z of the normals of the points")
+    if len(points) != len(normals):
+        raise _error("normals", f"are {len(normals)}, of {len(points)} points")
+    rows = _np.hstack([points, normals])
     scene = _opened(scene, progress, threads)
     names, numbers = illuminance_numbers(scene, rows, rig, progress, threads)
     return numbers.view([(name, float) for name in names]).reshape(len(rows))
 
 
+@_checked
 def luminance(scene, rays, *, rig=None, progress=None, threads: int = 0):
     """Luminance in cd/m2 that rays (n, 6) meet, by the scene's lamps or those of `rig`: n rows of red, green, blue.
 
     It is that of a picture whose pixels have no width. Rays that meet nothing have what is
     beyond: the sky, or else the scene's background.
     """
+    rays = _rows("rays", rays, 6, "origin and direction")
     return luminance_numbers(_opened(scene, progress, threads), rays, rig, progress, threads)
 
 
+@_checked
 def analysis_picture(scene, look: str, view: str = "", *, rig=None, width: int | None = None,
                      height: int | None = None, scale=None, pull=(0, 0, 1), draft: float = 3,
                      radius: float | None = None, section=(0, 1, 0), progress=None, threads: int = 0) -> Picture:
@@ -258,6 +304,7 @@ def analysis_picture(scene, look: str, view: str = "", *, rig=None, width: int |
     return Picture(analysis_png(scene, look, view, rig, width, height, options, progress, threads))
 
 
+@_checked
 def deep_view(scene, view: str = "", *, width: int | None = None, height: int | None = None, reflections: int = 3,
               progress=None, threads: int = 0) -> DeepBuffer:
     """The surfaces on the paths of a picture's rays, from which any lamps light it without tracing.
@@ -269,6 +316,7 @@ def deep_view(scene, view: str = "", *, width: int | None = None, height: int | 
     return deep_buffer(_opened(scene, progress, threads), view, width, height, reflections, progress, threads)
 
 
+@_checked
 def render(scene, view: str = "", *, rig=None, width: int | None = None, height: int | None = None, aovs=(),
            penumbrae: str = "width", light_error: float = 2e-3, edge_samples: int = 8, progress=None,
            threads: int = 0) -> Film:
@@ -281,4 +329,4 @@ def render(scene, view: str = "", *, rig=None, width: int | None = None, height:
     """
     scene = _opened(scene, progress, threads)
     accuracy = {"penumbrae": penumbrae, "light_error": light_error, "edge_samples": edge_samples}
-    return render_film(scene, view, rig, width, height, list(aovs), accuracy, progress, threads)
+    return render_film(scene, view, rig, width, height, _words(aovs), accuracy, progress, threads)
