@@ -48,6 +48,9 @@ SCENES = {
     "panels-in-fog": ("panels-in-fog-scene", SHADED, (640, 360)),
     "overcast": ("overcast-scene", ("--tone", "reinhard"), (960, 540)),
     "seams": ("seams-scene", (), (1200, 400)),
+    "phong-exponents": ("exponents-scene", SHADED, (1200, 320)),
+    **{f"shadow-{light}": ("shadows-scene", (*SHADED, "--rig", str(ROOT / f"lightrigs/one-{light}.toml")), (360, 240))
+       for light in ("point", "line", "tube", "panel", "globe", "sky")},
     "turning-dots-0": ("turning-dots-scene", (*SHADED, "--frames", "0:0"), (480, 270)),
     "turning-dots-1": ("turning-dots-scene", (*SHADED, "--frames", "1:1"), (480, 270)),
     "turning-dots-2": ("turning-dots-scene", (*SHADED, "--frames", "2:2"), (480, 270)),

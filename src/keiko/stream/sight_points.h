@@ -6,10 +6,10 @@
 
 namespace KEIKO_API keiko {
 
-/// Reads lines of eyes with lines of sight (see rays_of) and writes what they can see in the fog of
-/// the scene's rig, as CSV: a header line, then a row for each eye, in order.
+/// Reads lines of eyes with lines of sight (see rays_of), and writes what they can see in the fog
+/// of the scene's rig. The CSV has a header line, then a row for each eye, in order.
 ///
-/// The first columns tell of the surface that the line of sight meets: `distance_m`, its contrast
+/// The first columns are of the surface that the line of sight meets: `distance_m`, its contrast
 /// against the horizon from near and from the eye (`near_contrast`, `contrast`), and the distance
 /// `visible_to_m` at which it vanishes [Koschmieder1924]. They are empty where it meets nothing,
 /// all but the first in fog without ambient light, before which the horizon is black. Each sign,
