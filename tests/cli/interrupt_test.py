@@ -46,8 +46,19 @@ class Interrupted(KeikoTest):
         self.assertEqual(self.content(), [])
 
     def test_while_rendering(self):
-        for stop in signal.SIGINT, signal.SIGTERM:
+        for stop in signal.SIGINT, signal.SIGTERM, signal.SIGHUP:
             self.interrupt("render", stop, "render", CAR, "-o", "a.png", *LARGE)
+
+    def test_a_hangup_that_is_ignored_stops_nothing(self):
+        """As nohup has it."""
+        process = subprocess.Popen([BINARY, "render", CAR, "-o", "a.png", "--verbose", "--size", "96x54", "--view", "front"],
+                                   cwd=self.folder, text=True, stderr=subprocess.PIPE,
+                                   preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_IGN))
+        next(process.stderr)
+        process.send_signal(signal.SIGHUP)
+        errors = process.communicate(timeout=120)[1]
+        self.assertEqual(process.returncode, 0, errors)
+        self.assertEqual(self.content(), ["a.png"])
 
     def test_while_the_worker_reads_the_file(self):
         for command, output in ("render", "a.png"), ("inspect", "out"), ("place", "a.toml"):

@@ -47,11 +47,19 @@ bool tell_unknown_command(const CLI::App& app, int argc, char** argv) {
     return true;
 }
 
+/// True if whoever started the program did so without it, as nohup does with SIGHUP.
+bool is_ignored(int signal) {
+    struct sigaction action {};
+    return sigaction(signal, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/// A blocked signal that is ignored would still come.
 sigset_t handled_signals() {
     sigset_t set;
     sigemptyset(&set);
     sigaddset(&set, SIGINT);
     sigaddset(&set, SIGTERM);
+    if (!is_ignored(SIGHUP)) sigaddset(&set, SIGHUP);
     return set;
 }
 
