@@ -14,15 +14,15 @@
 
 namespace keiko {
 
-/// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a source above the
-/// horizon, in lines of the source. Times the source's luminance it is the luminance that the
-/// surface reflects to the viewer (docs/theory/areas.md#lobes).
-template <class Kernel>
+/// Integral of a kernel (GlossKernel, FlakeKernel, SkyKernel) over the directions to a source above
+/// the horizon, in lines of the source: an AreaWidth, or a SkyWidth. Times the source's luminance
+/// it is the luminance that the surface reflects to the viewer (docs/theory/areas.md#lobes).
+template <class Width, class Kernel>
 class AreaGloss final : public SourceWidth {
 public:
     /// Prepares the integral: measures the lobe at the source's nearest place to the peak. Pairs of
     /// rules agree within `relative` of the whole. References to both are kept.
-    AreaGloss(const AreaWidth& width, const Kernel& kernel, double relative)
+    AreaGloss(const Width& width, const Kernel& kernel, double relative)
         : width_(width),
           kernel_(kernel),
           chart_(kernel.chart()),
@@ -118,7 +118,7 @@ private:
                        std::max(std::abs(cosine), crowded) * axis.weight);
     }
 
-    const AreaWidth& width_;
+    const Width& width_;
     const Kernel& kernel_;
     LobeChart chart_;
     double relative_;
@@ -128,8 +128,8 @@ private:
 
 /// Visible share, 0 to 1, of what a lobe reflects of a source, by the luminance of the kernel. The
 /// tolerance of the options is one of the lobe's integral.
-template <class Kernel>
-double visible_gloss_share(const AreaGloss<Kernel>& gloss, const Visibility& visible,
+template <class Width, class Kernel>
+double visible_gloss_share(const AreaGloss<Width, Kernel>& gloss, const Visibility& visible,
                            WidthOptions options) {
     // The rule shares the tolerance out over some eight spreads of the peak's brightness, which are
     // four times as much as the lobe.

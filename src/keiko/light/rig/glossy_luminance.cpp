@@ -1,5 +1,4 @@
 #include "keiko/light/areas/area_gloss.h"
-#include "keiko/light/areas/area_integral.h"
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/gloss_slice.h"
@@ -16,24 +15,6 @@ namespace {
 constexpr double least_share = 1e-4; ///< of a lobe's peak
 /// Relative errors of what a lobe reflects of a panel or a sphere.
 constexpr double picture_error = 3e-3, number_error = 1e-6;
-
-/// A lobe times the luminance of a panel of the sky.
-template <class Kernel>
-class SkyKernel {
-public:
-    /// References are kept.
-    SkyKernel(const Kernel& kernel, const SkyWidth& width) : kernel_(kernel), width_(width) {}
-
-    Rgb operator()(const Vec3& towards) const {
-        return kernel_(towards) * width_.luminance(towards);
-    }
-    const Vec3& peak() const { return kernel_.peak(); }
-    double spread() const { return kernel_.spread(); }
-
-private:
-    const Kernel& kernel_;
-    const SkyWidth& width_;
-};
 
 /// Luminance of some lamps of a source.
 template <class Kernel>
@@ -133,10 +114,12 @@ private:
     Rgb from_panel(const SkyLight& sky, const SkyPanel& panel) const {
         const auto width = SkyWidth::of(sky, panel, point_, kernel_.normal());
         if (!width) return {};
-        const Rgb sent = (panel.ground ? sky.ground : sky.luminance) *
-                         gloss_integral(*width, SkyKernel(kernel_, *width), error());
-        if (!medium_ || sky.windows.empty()) return sent;
-        return sent * mean_over(*width, [&](const Vec3& place) { return passed(place); });
+        const SkyKernel kernel(kernel_, *width);
+        const AreaGloss gloss(*width, kernel, error());
+        const Rgb sent = medium_ && !sky.windows.empty()
+                             ? gloss.integral([&](const Vec3& place) { return passed(place); })
+                             : gloss.integral();
+        return (panel.ground ? sky.ground : sky.luminance) * sent;
     }
 
     bool in_picture() const { return quadrature_ == GlossQuadrature::picture; }

@@ -1,54 +1,36 @@
 #pragma once
 
-#include "keiko/light/luminance/gloss_slice.h"
+#include "keiko/light/areas/area_gloss.h"
 #include "keiko/light/sky/sky_panels.h"
-#include "keiko/math/quadrature.h"
 #include "keiko/math/rgb.h"
-
-#include <algorithm>
-#include <cmath>
-#include <vector>
 
 namespace keiko {
 
-/// Integral of a kernel over the directions to a panel of the sky above the horizon in the
-/// half-plane of a line, by the wedge angle.
+/// A lobe's kernel (GlossKernel, FlakeKernel) times the luminance of a panel of the sky, as a share
+/// of that at the zenith or of the ground's: with SkyWidth, what AreaGloss integrates.
 template <class Kernel>
-Rgb gloss_in_half_plane(const SkyWidth& width, const SubAxis& axis, const Kernel& kernel,
-                        double relative) {
-    const Vec3 level = width.direction(axis, 0), along = width.direction(axis, 1);
-    const double peak = std::atan2(kernel.peak().dot(along), kernel.peak().dot(level));
-    const auto sent = [&](double eta) {
-        return kernel(level * std::cos(eta) + along * std::sin(eta)) * std::cos(eta);
-    };
-    Rgb sum;
-    for (const ParameterInterval& part : width.elevations(axis))
-        sum += integrate_paired(
-            sent,
-            about_peak(2 * std::atan(part.begin), 2 * std::atan(part.end), peak, kernel.spread()),
-            relative);
-    return sum;
-}
+class SkyKernel {
+public:
+    /// References are kept.
+    SkyKernel(const Kernel& kernel, const SkyWidth& width) : kernel_(kernel), width_(width) {}
 
-/// Integral of a kernel (GlossKernel, FlakeKernel) over the directions to a panel of the sky above
-/// the horizon. Times the panel's luminance it is the luminance that the surface reflects to the
-/// viewer. Gauss's and Kronrod's rules in wedge angle and elevation, cut about the kernel's peak,
-/// are halved until they agree within `relative` of the whole.
-template <class Kernel>
-Rgb gloss_integral(const SkyWidth& width, const Kernel& kernel, double relative) {
-    const double peak = width.place_in(kernel.peak());
-    constexpr double flank = 0.9; // of the width: at its end a sphere's rate is 0
-    const double rate = width.sub_axis(std::clamp(peak, -flank, flank)).weight;
-    const auto sent = [&](double place) {
-        const SubAxis axis = width.sub_axis(place);
-        return gloss_in_half_plane(width, axis, kernel, relative) * axis.weight;
-    };
-    Rgb sum;
-    const std::vector<double> cuts = width.cuts();
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-        sum += integrate_paired(
-            sent, about_peak(cuts[i], cuts[i + 1], peak, kernel.spread() / rate), relative);
-    return sum;
-}
+    /// 1/sr for the unit direction that light comes from.
+    Rgb operator()(const Vec3& towards) const {
+        return kernel_(towards) * width_.luminance(towards);
+    }
+    /// Unit direction of the lobe's middle.
+    const Vec3& peak() const { return kernel_.peak(); }
+    /// Chart in which the lobe is a round bell.
+    LobeChart chart() const { return kernel_.chart(); }
+    /// Half angle in radians of the cone about the peak beyond which the kernel is below `share` of
+    /// its value there, however bright the sky is.
+    double cone(double share) const {
+        return kernel_.cone(share * width_.luminance(kernel_.peak()) / width_.brightest());
+    }
+
+private:
+    const Kernel& kernel_;
+    const SkyWidth& width_;
+};
 
 } // namespace keiko

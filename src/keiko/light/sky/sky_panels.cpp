@@ -112,6 +112,14 @@ double SkyWidth::lit(const SubAxis& axis, double begin, double end) const {
     return sum;
 }
 
+double SkyWidth::brightest() const {
+    if (ground_) return 1;
+    if (shares_.is_linear()) return std::max(shares_.level(), 1.0);
+    // The indicatrix is largest at the sun; the gradation is 1 at most, and least at the zenith.
+    const double least_gradation = -std::expm1(-0.32);
+    return shares_(shares_.sun()) / least_gradation;
+}
+
 /// Integral of (N.w) cos eta (level + rise w.z): of sums of products of sines and cosines.
 double SkyWidth::lit_linearly(const SubAxis& axis, const ParameterInterval& elevations) const {
     const Vec3 level = direction(axis, 0), along = direction(axis, 1);

@@ -44,8 +44,11 @@ public:
         return lines_.direction(axis, half_tangent);
     }
     /// See AreaWidth.
-    std::vector<ParameterInterval> elevations(const SubAxis& axis) const {
-        return lines_.elevations(axis);
+    const Vec3& along() const { return lines_.along(); }
+    /// See AreaWidth.
+    std::vector<ParameterInterval> elevations(const SubAxis& axis, double begin = 0,
+                                              double end = 1) const {
+        return lines_.elevations(axis, begin, end);
     }
     /// See AreaWidth; weighted by the luminance.
     double light_rate(const SubAxis& axis, double half_tangent) const {
@@ -57,6 +60,8 @@ public:
     }
     /// Luminance in a unit direction, as a share of that at the zenith, or of the ground's.
     double luminance(const Vec3& towards) const { return ground_ ? 1 : shares_(towards); }
+    /// The largest luminance in any direction, or more, as such a share.
+    double brightest() const;
 
 private:
     SkyWidth(const SkyLight& sky, const SkyPanel& panel, const PolygonWidth& lines,
