@@ -134,6 +134,7 @@ double visible_gloss_share(const AreaGloss<Width, Kernel>& gloss, const Visibili
     // The rule shares the tolerance out over some eight spreads of the peak's brightness, which are
     // four times as much as the lobe.
     options.tolerance /= 4;
+    options.tapers = false; // a lobe ends anywhere
     return visible_share(gloss, visible, options);
 }
 

@@ -91,15 +91,20 @@ Vec3 AreaWidth::direction(const SubAxis& axis, double half_tangent) const {
 
 std::optional<PolygonWidth> PolygonWidth::of(const PolygonLight& light, const Vec3& point,
                                              const Vec3& normal) {
+    return of(light, longest_side(light), point, normal);
+}
+
+std::optional<PolygonWidth> PolygonWidth::of(const PolygonLight& light, const Vec3& direction,
+                                             const Vec3& point, const Vec3& normal) {
     if (!light.shines_at(point)) return std::nullopt;
     Vec3 facing = light.normal();
     if (facing.dot(point - light.corners[0]) < 0) facing = -facing;
-    const Vec3 side = longest_side(light);
-    const Vec3 along = (side - facing * facing.dot(side)).normalized();
+    const Vec3 along = (direction - facing * facing.dot(direction)).normalized();
     PolygonWidth width(light, facing, along, point, normal);
     const double away = edge_on * (point - light.corners[0]).length();
-    if (!(width.distance() > away) || width.corners_.size() < 3 || !(width.half_ > 0))
-        return std::nullopt;
+    const bool grazed = width.corners_.size() < 3 || !(width.half_ > 0) ||
+                        !(width.extent().length() > edge_on * width.distance());
+    if (!(width.distance() > away) || grazed) return std::nullopt;
     return width;
 }
 

@@ -57,6 +57,7 @@ protected:
     double distance() const { return distance_; }
     double n_across() const { return n_across_; }
     double n_ahead() const { return n_ahead_; }
+    const ParameterInterval& extent() const { return extent_; }
     void set_extent(const ParameterInterval& u) { extent_ = u; }
 
 private:
@@ -76,6 +77,9 @@ public:
     /// nullopt if the panel sends no light to the surface element.
     static std::optional<PolygonWidth> of(const PolygonLight& light, const Vec3& point,
                                           const Vec3& normal);
+    /// Lines in a `direction` of any length, not at right angles to the panel; nullopt as above.
+    static std::optional<PolygonWidth> of(const PolygonLight& light, const Vec3& direction,
+                                          const Vec3& point, const Vec3& normal);
     SubAxis sub_axis(double place) const override;
     std::vector<double> cuts() const override;
     double place_in(const Vec3& way) const override;

@@ -40,9 +40,13 @@ void light_slices(const SourceWidth& width, std::span<const std::size_t> nodes_o
 }
 
 /// A part of the width before any query.
-Slices part_of(const SourceWidth& width, double center, double half) {
+Slices part_of(const SourceWidth& width, double center, double half, bool tapers) {
+    constexpr double negligible = 1e-6; // of the middle's light
     Slices part{center, half};
     light_slices(width, of_gauss, part);
+    for (const std::size_t end : Slices::ends)
+        if (tapers && part.at[end].all < negligible * part.at[Slices::middle].all)
+            part.at[end].all = 0;
     return part;
 }
 
@@ -82,8 +86,14 @@ double missed_by_middle(const Slices& slices) {
                      by_chance * std::abs(end - begin), slices.parts_off});
 }
 
+/// Beyond the last node towards an end without light the share may change as much as before it.
 double missed_by_gauss(const Slices& slices) {
-    return missed_at(slices, 0, 2, 4) + missed_at(slices, 8, 6, 4);
+    const auto missed = [&](std::size_t end, std::size_t node) {
+        if (slices.at[end].all > 0) return missed_at(slices, end, node, Slices::middle);
+        const double change = slices.at[node].share() - slices.at[Slices::middle].share();
+        return std::abs(change) * std::abs(nodes[end] - nodes[node]) / 2;
+    };
+    return missed(Slices::first, 2) + missed(Slices::last, 6);
 }
 
 double missed_by_kronrod(const Slices& slices) {
@@ -95,10 +105,11 @@ bool near_enough(const Slices& slices, double spacing, double widest) {
     return spacing * slices.half <= widest;
 }
 
-/// True if all slices light anything.
-bool all_above(const Slices& slices) {
-    return std::all_of(of_gauss.begin(), of_gauss.end(),
-                       [&](std::size_t i) { return slices.at[i].all > 0; });
+/// True if the slices between the ends light anything, and, unless the source tapers, the ends.
+bool all_above(const Slices& slices, bool tapers) {
+    const auto lit = [&](std::size_t i) { return slices.at[i].all > 0; };
+    return std::all_of(of_gauss.begin() + 1, of_gauss.end() - 1, lit) &&
+           (tapers || std::all_of(Slices::ends.begin(), Slices::ends.end(), lit));
 }
 
 /// Integral over parts of a width, by the first of three rules that is accurate enough, else by
@@ -109,7 +120,8 @@ public:
         : width_(width),
           visible_(visible),
           widest_spacing_(until.widest_spacing),
-          part_by_part_(until.part_by_part) {}
+          part_by_part_(until.part_by_part),
+          tapers_(until.tapers) {}
 
     SolidAngle over(Slices slices, double error, int most_halvings) const {
         if (!near_enough(slices, kronrod_spacing, widest_spacing_))
@@ -120,7 +132,7 @@ public:
         }
         find(of_gauss_alone, slices);
         const SolidAngle three = weighed(slices, gauss);
-        if (all_above(slices) && near_enough(slices, gauss_spacing, widest_spacing_) &&
+        if (all_above(slices, tapers_) && near_enough(slices, gauss_spacing, widest_spacing_) &&
             difference(weighed(slices, middle_alone), three) <= error &&
             missed_by_gauss(slices) * three.all <= error)
             return three;
@@ -145,8 +157,8 @@ private:
     /// Halves of a part; their ends are known from the whole.
     std::array<Slices, 2> halves_of(const Slices& whole) const {
         const double half = whole.half / 2;
-        std::array halves{part_of(width_, whole.center - half, half),
-                          part_of(width_, whole.center + half, half)};
+        std::array halves{part_of(width_, whole.center - half, half, tapers_),
+                          part_of(width_, whole.center + half, half, tapers_)};
         halves[0].seen = {whole.seen[0], {}, whole.seen[1]};
         halves[1].seen = {whole.seen[1], {}, whole.seen[2]};
         return halves;
@@ -166,7 +178,7 @@ private:
     const SourceWidth& width_;
     const Visibility& visible_;
     double widest_spacing_;
-    bool part_by_part_;
+    bool part_by_part_, tapers_;
 };
 
 } // namespace
@@ -177,7 +189,8 @@ double Slices::brightest() const {
     return most;
 }
 
-std::vector<Slices> parts_of(const SourceWidth& width, std::span<const WidthCut> cuts) {
+std::vector<Slices> parts_of(const SourceWidth& width, std::span<const WidthCut> cuts,
+                             bool tapers) {
     constexpr double beside = 2e-6;
     struct Border {
         double end, begin; ///< of the parts on both sides
@@ -193,8 +206,10 @@ std::vector<Slices> parts_of(const SourceWidth& width, std::span<const WidthCut>
     for (const Border& border : borders) {
         const double end = std::min(border.end, 1.0);
         if (begin < end) {
-            parts.push_back(part_of(width, (end + begin) / 2, (end - begin) / 2));
-            parts.back().begins_where_last_ends = parts.size() > 1 && begin == last_end;
+            parts.push_back(part_of(width, (end + begin) / 2, (end - begin) / 2, tapers));
+            const std::size_t count = parts.size();
+            parts.back().begins_where_last_ends =
+                count > 1 && begin == last_end && parts[count - 2].at[Slices::last].all > 0;
             last_end = end;
         }
         begin = std::max(begin, border.begin);
@@ -209,7 +224,7 @@ void hide_slice(const SourceWidth& width, std::size_t node, const IntervalSet& s
 }
 
 bool ends_and_middle_agree(const Slices& slices, const SliceRule& until) {
-    return all_above(slices) && near_enough(slices, 1, until.widest_spacing) &&
+    return all_above(slices, false) && near_enough(slices, 1, until.widest_spacing) &&
            missed_by_middle(slices) * weighed(slices, gauss).all <= until.error;
 }
 

@@ -58,8 +58,9 @@ struct WidthCut {
 };
 
 /// The parts of a width between its own cuts and others, before any query. They end and begin just
-/// beside the others, since the visible part on those is undefined.
-std::vector<Slices> parts_of(const SourceWidth& width, std::span<const WidthCut> cuts = {});
+/// beside the others, since the visible part on those is undefined. `tapers`: see SliceRule.
+std::vector<Slices> parts_of(const SourceWidth& width, std::span<const WidthCut> cuts = {},
+                             bool tapers = false);
 
 /// Sets the hidden part of a node's slice by the visible part of its line.
 void hide_slice(const SourceWidth& width, std::size_t node, const IntervalSet& seen,
@@ -87,6 +88,9 @@ struct SliceRule {
     /// Halvings after which the finest rule is taken as it is, unless nodes are farther apart than
     /// the widest spacing.
     int most_halvings = 0;
+    /// True if ends with less than 1e-6 of the middle's light, where the source tapers, are left
+    /// out. The other nodes then decide.
+    bool tapers = false;
 };
 
 /// True if the ends and the middle of a part suffice to determine its hidden part, by their own

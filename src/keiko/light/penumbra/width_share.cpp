@@ -21,7 +21,7 @@ double WidthShare::visible_share(const SourceWidth& width, const Visibility& vis
 SliceRule WidthShare::rule_of(const Slices& part) const {
     constexpr int most_halvings = 14;
     const double error = options_.tolerance * 2 * brightest_ * part.half;
-    return {error, options_.widest_spacing, options_.between_lines, most_halvings};
+    return {error, options_.widest_spacing, options_.between_lines, most_halvings, options_.tapers};
 }
 
 /// Cuts the width at turns of outlines, as often as necessary for at most the tolerance to be
@@ -41,7 +41,7 @@ void WidthShare::look_between(const SourceWidth& width, const Visibility& visibl
 /// Cuts the width; the visibility of both ends is known.
 void WidthShare::cut_at(const SourceWidth& width, std::span<const WidthCut> cuts,
                         const Visibility& visible) {
-    std::vector<Slices> parts = parts_of(width, cuts);
+    std::vector<Slices> parts = parts_of(width, cuts, options_.tapers);
     if (parts.front().begin() == -1) parts.front().seen.front() = parts_.front().seen.front();
     if (parts.back().end() == 1) parts.back().seen.back() = parts_.back().seen.back();
     parts_ = std::move(parts);

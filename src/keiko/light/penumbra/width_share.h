@@ -16,6 +16,7 @@ struct WidthOptions {
     /// True if the width is cut where outlines turn that hide more than the tolerance between
     /// lines. Lines then agree only if they do for each visible part.
     bool between_lines = false;
+    bool tapers = false; ///< see SliceRule
 };
 
 /// Visible share of a source whose lines may be partly hidden
@@ -25,7 +26,7 @@ class WidthShare {
 public:
     /// Lights the first lines.
     WidthShare(const SourceWidth& width, const WidthOptions& options)
-        : options_(options), parts_(parts_of(width)) {}
+        : options_(options), parts_(parts_of(width, {}, options.tapers)) {}
 
     /// Parts of the width between its own cuts.
     const std::vector<Slices>& parts() const { return parts_; }

@@ -23,6 +23,14 @@ WidthOptions width_accuracy(bool in_picture) {
     return {width_tolerance_in_pictures, widest_spacing_in_pictures, false};
 }
 
+/// In pictures outlines between lines are not searched for: a quarter of the sky has all of a
+/// body's.
+WidthOptions sky_accuracy(bool in_picture) {
+    WidthOptions options = width_accuracy(in_picture);
+    options.tapers = in_picture;
+    return options;
+}
+
 class Looker {
 public:
     Looker(std::span<const int> asked, const Vec3& point, const Vec3& normal,
@@ -69,15 +77,13 @@ public:
             visible_share(light, point_, normal_, visible_, area_accuracy(in_picture())))};
     }
 
-    /// In pictures outlines between lines are not searched for: a quarter of the sky has all of
-    /// a body's.
     std::vector<LightVisibility> operator()(const SkyLight& sky) const {
         std::vector<LightVisibility> seen;
         seen.reserve(asked_.size());
         for (const int number : asked_) {
             const auto panel = sky_panel(sky, number, point_);
             seen.push_back(share_seen(panel ? visible_share(sky, *panel, point_, normal_, visible_,
-                                                            width_accuracy(in_picture()))
+                                                            sky_accuracy(in_picture()))
                                             : 0));
         }
         return seen;
@@ -163,6 +169,7 @@ bool weighs_width(const CPlane& plane, TubeModel model) {
 WidthOptions area_accuracy(bool in_picture) {
     WidthOptions options = width_accuracy(in_picture);
     options.between_lines = true; // a panel of metres may have a bar between any lines
+    options.tapers = in_picture;  // towards its corners, and where the horizon cuts it
     return options;
 }
 

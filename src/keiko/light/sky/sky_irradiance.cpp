@@ -77,7 +77,7 @@ Rgb illuminance_from(const SkyLight& sky, const SkyPanel& panel, const Vec3& poi
 double visible_share(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                      const Vec3& normal, const Visibility& visible, const WidthOptions& options) {
     const auto width = SkyWidth::of(sky, panel, point, normal);
-    return width ? visible_share(*width, visible, options) : 0;
+    return width ? visible_share(*width, visible, options) : 1;
 }
 
 } // namespace keiko

@@ -1,5 +1,6 @@
 #include "keiko/light/sky/sky_panels.h"
 
+#include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/luminance/elevations.h"
 #include "keiko/math/convex_clip.h"
 #include "keiko/math/quadrature.h"
@@ -14,16 +15,17 @@ namespace {
 /// Distance of the sky, mm: far enough that nothing in a scene lies beyond, as of the sun.
 constexpr double far_away = 1e7;
 constexpr int quarters = 4;
+/// Height of a quarter's top corner above or below the point, as a share of its distance to the
+/// middle of the horizon's side.
+constexpr double apex = 0.7;
 /// Least distance from a window's plane that counts, as a share of the window's size: closer to it,
 /// bodies outside are viewed to that distance only.
 constexpr double closest = 1e-3;
-/// Height of a panel's corner above or below the point, as a share of its distance across. Below 1
-/// the side along the horizon is the longest, so that lines run along it.
-constexpr double apex = 0.7;
 /// Error of a clear sky's light along a line.
-constexpr double along_line = 1e-5;
+constexpr double along_line = 1e-7;
 
-/// A quarter of the sphere above or below the horizon, around azimuth `number` x 90 degrees.
+/// A quarter of the sphere above or below the horizon, around azimuth `number` x 90 degrees: both
+/// corners of the horizon's side, then the top.
 std::vector<Vec3> quarter(int number, bool ground) {
     constexpr std::array<Vec2, quarters> ways{Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1)};
     const Vec2& middle = ways[static_cast<std::size_t>(number)];
@@ -59,7 +61,7 @@ int panel_count(const SkyLight& sky) {
 
 std::optional<SkyPanel> sky_panel(const SkyLight& sky, int number, const Vec3& point) {
     const int parts = sky.windows.empty() ? quarters : static_cast<int>(sky.windows.size());
-    SkyPanel panel{{{}, Rgb(1), true}, number >= parts};
+    SkyPanel panel{{{}, Rgb(1), true}, number >= parts, {}, 1};
     const int part = number % parts;
     std::vector<Vec3> corners;
     double factor = far_away;
@@ -72,12 +74,14 @@ std::optional<SkyPanel> sky_panel(const SkyLight& sky, int number, const Vec3& p
         panel.window = 1 / factor;
     }
     for (const Vec3& corner : corners) panel.outline.corners.push_back(point + corner * factor);
+    panel.along = sky.windows.empty() ? corners[2] - (corners[0] + corners[1]) / 2
+                                      : longest_side(panel.outline);
     return panel;
 }
 
 std::optional<SkyWidth> SkyWidth::of(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                                      const Vec3& normal) {
-    const auto lines = PolygonWidth::of(panel.outline, point, normal);
+    const auto lines = PolygonWidth::of(panel.outline, panel.along, point, normal);
     if (!lines) return std::nullopt;
     return SkyWidth(sky, panel, *lines, point, normal);
 }

@@ -15,6 +15,9 @@ struct SkyPanel {
     PolygonLight
         outline;         ///< far away, in the same directions from the point; two-sided, of 1 cd/m2
     bool ground = false; ///< a part of the ground, not of the sky
+    /// Direction of the lines across it, of any length: up or down a quarter, since what stands on
+    /// the ground has outlines along the horizon.
+    Vec3 along{0};
     /// Distance of the window, as a share of that of `outline`; 1 without a window.
     double window = 1;
 };

@@ -76,15 +76,17 @@ std::vector<LightVisibility> DirectLighting::light_visibility(const Vec3& point,
                                                               std::span<const LightId> lights,
                                                               TubeModel model, bool axes) const {
     std::vector<LightVisibility> all;
-    each_source(lights, [&](std::size_t i, std::span<const int> lamps, std::size_t) {
-        const PreparedSource& source = rig_.sources[i];
+    const auto add = [&](const PreparedSource& source, std::span<const int> lamps) {
         const OccludedVisibility visible = visibility(source, lamps, point, normal, root);
         std::vector<LightVisibility> seen = light_visibilities(
             source, lamps, point, normal, visible, model, axes || rig_.medium.has_value());
-        if (seen.size() == lights.size())
-            all = std::move(seen);
-        else
-            std::move(seen.begin(), seen.end(), std::back_inserter(all));
+        std::move(seen.begin(), seen.end(), std::back_inserter(all));
+    };
+    each_source(lights, [&](std::size_t i, std::span<const int> lamps, std::size_t) {
+        const PreparedSource& source = rig_.sources[i];
+        if (!std::holds_alternative<SkyLight>(source.kind())) return add(source, lamps);
+        // Panels of a sky lie all around: what hides one of them is not in the way of another.
+        for (const int& lamp : lamps) add(source, {&lamp, 1});
     });
     return all;
 }
@@ -108,10 +110,10 @@ bool DirectLighting::may_occlude(std::span<const Vec3> places, const LightId& li
     const auto* sun = std::get_if<Sun>(&source.kind());
     const auto* sky = std::get_if<SkyLight>(&source.kind());
     if (sun && !sun->windows.empty()) return true; // their frames occlude it, too
-    if (sky && !sky->windows.empty()) return true; // and show other parts of it
+    if (sky) return !sky->windows.empty();         // which show other parts of it
     std::vector<Vec3> region;
     // What is at infinity goes with the place.
-    for (const Vec3& place : sun || sky ? places : places.first(1))
+    for (const Vec3& place : sun ? places : places.first(1))
         for (const Vec3& corner : lamp_corners(source, light.lamp, place, model))
             region.push_back(corner);
     return occluders_->may_occlude(places, region, facing);

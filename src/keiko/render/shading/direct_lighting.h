@@ -46,7 +46,8 @@ public:
                                   const std::optional<Root>& root) const;
 
     /// False if all of the hull of `places` is proved to have one visibility of a light: all of it
-    /// or nothing; see Occluders::may_occlude(). Windows are not tested.
+    /// or nothing; see Occluders::may_occlude(). Windows are not tested. False, too, for an open
+    /// sky: what is too narrow to be met from any of several places hides little of a quarter.
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
                      const std::optional<Vec3>& facing, TubeModel model) const;
 

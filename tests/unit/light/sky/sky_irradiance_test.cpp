@@ -115,6 +115,45 @@ TEST(SkyIrradiance, PanelsAddUpToTheWhole) {
     }
 }
 
+/// A plane wall through a place that hides what is beyond it, and counts the lines that are asked.
+class Wall final : public Visibility {
+public:
+    /// The wall hides the places at which `normal` times them exceeds `distance`.
+    Wall(const Vec3& normal, double distance) : normal_(normal), distance_(distance) {}
+
+    int lines() const { return lines_; }
+    using Visibility::intervals;
+    IntervalSet intervals(const Segment& line) const override {
+        ++lines_;
+        const double a = normal_.dot(line.a) - distance_, b = normal_.dot(line.b) - distance_;
+        if (a <= 0 && b <= 0) return IntervalSet::whole();
+        if (a >= 0 && b >= 0) return {};
+        return a < 0 ? IntervalSet::whole(0, a / (a - b)) : IntervalSet::whole(a / (a - b), 1);
+    }
+
+private:
+    Vec3 normal_;
+    double distance_;
+    mutable int lines_ = 0;
+};
+
+/// In pictures the corners of a quarter, which light next to nothing, need no lines.
+TEST(SkyIrradiance, CornersOfAQuarterTakeNoLines) {
+    const SkyLight sky{SkyModel::overcast, Rgb(1)};
+    const SkyPanel panel = *sky_panel(sky, 0, Vec3(0));
+    const Vec3 up(0, 0, 1);
+    const Wall nowhere(up, 1e9);
+    EXPECT_EQ(visible_share(sky, panel, Vec3(0), up, nowhere, {3e-3, 1, false, true}), 1);
+    EXPECT_EQ(nowhere.lines(), 7);
+    for (const Vec3& side : {Vec3(0, 0, -1), Vec3(0.3, 1, 0.1), Vec3(0.2, -0.4, -1)})
+        for (const double distance : {-4e6, -1e6, 0.0, 2e6}) {
+            const Wall wall(side, distance);
+            EXPECT_NEAR(visible_share(sky, panel, Vec3(0), up, wall, {3e-3, 1, false, true}),
+                        visible_share(sky, panel, Vec3(0), up, wall, {1e-6, 0.12, false}), 3e-3)
+                << side << ' ' << distance;
+        }
+}
+
 /// The second moments of a triangle against a quadrature over it, of either orientation.
 TEST(IrradianceTensor, IsTheIntegralOverThePolygon) {
     test::Random random(9);
