@@ -2,6 +2,7 @@
 
 #include "keiko/light/luminance/irradiance_tensor.h"
 #include "keiko/light/luminance/projected_solid_angle.h"
+#include "keiko/light/sky/window_overlap.h"
 #include "keiko/math/convex_clip.h"
 #include "keiko/math/quadrature.h"
 
@@ -77,7 +78,10 @@ Rgb illuminance_from(const SkyLight& sky, const SkyPanel& panel, const Vec3& poi
 double visible_share(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                      const Vec3& normal, const Visibility& visible, const WidthOptions& options) {
     const auto width = SkyWidth::of(sky, panel, point, normal);
-    return width ? visible_share(*width, visible, options) : 1;
+    if (!width) return 1;
+    if (panel.others.empty()) return visible_share(*width, visible, options);
+    const WindowOverlap beside(visible, panel.outline.corners, panel.others, point);
+    return visible_share(*width, beside, options);
 }
 
 } // namespace keiko

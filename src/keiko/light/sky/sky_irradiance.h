@@ -16,7 +16,8 @@ double unobstructed_illuminance(const SkyLight& sky, const Vec3& normal);
 Rgb illuminance_from(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                      const Vec3& normal);
 
-/// Visible share, 0 to 1, of that illuminance; 1 if the panel sends none.
+/// Visible share, 0 to 1, of that illuminance: past bodies, and without the directions that windows
+/// before the panel's own show as well; 1 if the panel sends no light.
 double visible_share(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                      const Vec3& normal, const Visibility& visible, const WidthOptions& options);
 

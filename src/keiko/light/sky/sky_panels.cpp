@@ -61,7 +61,7 @@ int panel_count(const SkyLight& sky) {
 
 std::optional<SkyPanel> sky_panel(const SkyLight& sky, int number, const Vec3& point) {
     const int parts = sky.windows.empty() ? quarters : static_cast<int>(sky.windows.size());
-    SkyPanel panel{{{}, Rgb(1), true}, number >= parts, {}, 1};
+    SkyPanel panel{{{}, Rgb(1), true}, number >= parts, {}, 1, {}};
     const int part = number % parts;
     std::vector<Vec3> corners;
     double factor = far_away;
@@ -72,6 +72,7 @@ std::optional<SkyPanel> sky_panel(const SkyLight& sky, int number, const Vec3& p
         if (corners.size() < 3 || !(polygon_normal(corners).length() > 0)) return std::nullopt;
         factor = enlargement(corners);
         panel.window = 1 / factor;
+        panel.others = std::span(sky.windows).first(static_cast<std::size_t>(part));
     }
     for (const Vec3& corner : corners) panel.outline.corners.push_back(point + corner * factor);
     panel.along = sky.windows.empty() ? corners[2] - (corners[0] + corners[1]) / 2

@@ -5,6 +5,7 @@
 #include "keiko/light/sky/sky_light.h"
 
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -20,12 +21,15 @@ struct SkyPanel {
     Vec3 along{0};
     /// Distance of the window, as a share of that of `outline`; 1 without a window.
     double window = 1;
+    /// Windows before its own, in the sky: what they show is theirs.
+    std::span<const Window> others{};
 };
 
 /// Number of panels of a sky, counted from 0: those of the sky, then those of a ground that shines.
 int panel_count(const SkyLight& sky);
 
-/// A panel as viewed from a point, mm; nullopt if its window shows none of it there.
+/// A panel as viewed from a point, mm; nullopt if its window shows none of it there. The sky must
+/// outlive it.
 std::optional<SkyPanel> sky_panel(const SkyLight& sky, int number, const Vec3& point);
 
 /// Lines across a panel of the sky, of the luminance of the sky along them.
