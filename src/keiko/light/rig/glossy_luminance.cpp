@@ -116,9 +116,8 @@ private:
         if (!width) return {};
         const SkyKernel kernel(kernel_, *width);
         const AreaGloss gloss(*width, kernel, error());
-        const Rgb sent = medium_ && !sky.windows.empty()
-                             ? gloss.integral([&](const Vec3& place) { return passed(place); })
-                             : gloss.integral();
+        const Rgb sent = medium_ ? gloss.integral([&](const Vec3& place) { return passed(place); })
+                                 : gloss.integral();
         return (panel.ground ? sky.ground : sky.luminance) * sent;
     }
 

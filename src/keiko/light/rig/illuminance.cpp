@@ -121,18 +121,17 @@ private:
                });
     }
 
-    /// Illuminance by the whole of a panel of the sky, with the mean transmittance of a coat and,
-    /// behind a window, of the medium.
+    /// Illuminance by the whole of a panel of the sky, with the mean transmittance of a coat and of
+    /// the medium.
     Rgb from_panel(const SkyLight& sky, const SkyPanel& panel) const {
         const Rgb lx = illuminance_from(sky, panel, point_, normal_);
-        const bool dimmed = medium_ && !sky.windows.empty();
-        if (!coat_ && !dimmed) return lx;
+        if (!coat_ && !medium_) return lx;
         const auto width = SkyWidth::of(sky, panel, point_, normal_);
         if (!width) return {};
         return lx * mean_over(*width, [&](const Vec3& place) {
                    const Vec3 way = place - point_;
                    const double cosine = normal_.dot(way) / way.length();
-                   return (dimmed ? passed(place) : Rgb(1)) * (coat_ ? coat_->entering(cosine) : 1);
+                   return passed(place) * (coat_ ? coat_->entering(cosine) : 1);
                });
     }
 

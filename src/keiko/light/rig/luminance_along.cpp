@@ -1,6 +1,7 @@
 #include "keiko/light/rig/luminance_along.h"
 
 #include "keiko/light/fog/transmittance.h"
+#include "keiko/light/sky/sky_scattering.h"
 #include "keiko/light/spotlight/point_light.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ struct InLight {
     IntervalSet operator()(const Light&) const {
         return {};
     }
+    /// An open sky has no shafts, and is added by itself.
     IntervalSet operator()(const SkyLight&) const { return {}; }
     template <PointLight Light>
     IntervalSet operator()(const Light& light) const {
@@ -111,6 +113,8 @@ Rgb luminance_along(const LightRig& rig, const Segment& camera_ray, const Rgb& s
     const Rgb depth = dimmed.depth_to(1);
     Rgb sum = surface * transmittance(depth) + ambient_inscatter(*rig.medium, depth);
     for (std::size_t i = 0; i < rig.sources.size(); ++i) {
+        const auto* sky = std::get_if<SkyLight>(&rig.sources[i]);
+        if (sky && sky->windows.empty()) sum += scattered_light(dimmed, *sky, tolerance);
         const IntervalSet beam = in_light(rig.sources[i], camera_ray);
         if (beam.empty()) continue;
         const IntervalSet lit = seen_of(beam, camera_ray, i, visible_from);

@@ -61,7 +61,7 @@ int panel_count(const SkyLight& sky) {
 
 std::optional<SkyPanel> sky_panel(const SkyLight& sky, int number, const Vec3& point) {
     const int parts = sky.windows.empty() ? quarters : static_cast<int>(sky.windows.size());
-    SkyPanel panel{{{}, Rgb(1), true}, number >= parts, {}, 1, {}};
+    SkyPanel panel{{{}, Rgb(1), true}, number >= parts, {}, {}, {}};
     const int part = number % parts;
     std::vector<Vec3> corners;
     double factor = far_away;

@@ -10,6 +10,10 @@
 
 namespace keiko {
 
+/// Length, mm, of the medium before a sky that no window shows: light from beyond passes 1 km of
+/// it.
+constexpr double sky_distance = 1e6;
+
 /// A part of the sky or of the ground below it, as a plane panel viewed from a point: a quarter of
 /// the hemisphere, or what a window shows.
 struct SkyPanel {
@@ -19,8 +23,8 @@ struct SkyPanel {
     /// Direction of the lines across it, of any length: up or down a quarter, since what stands on
     /// the ground has outlines along the horizon.
     Vec3 along{0};
-    /// Distance of the window, as a share of that of `outline`; 1 without a window.
-    double window = 1;
+    /// Distance of the window, as a share of that of `outline`; nullopt without a window.
+    std::optional<double> window{};
     /// Windows before its own, in the sky: what they show is theirs.
     std::span<const Window> others{};
 };
@@ -61,9 +65,11 @@ public:
     double light_rate(const SubAxis& axis, double half_tangent) const {
         return lines_.light_rate(axis, half_tangent) * luminance(direction(axis, half_tangent));
     }
-    /// Place where light from an elevation comes in: in the window, or far away without one.
+    /// Place where light from an elevation enters the medium: in the window, or, without one,
+    /// sky_distance away.
     Vec3 place(const SubAxis& axis, double half_tangent) const {
-        return point_ + (lines_.place(axis, half_tangent) - point_) * window_;
+        if (!window_) return point_ + direction(axis, half_tangent) * sky_distance;
+        return point_ + (lines_.place(axis, half_tangent) - point_) * *window_;
     }
     /// Luminance in a unit direction, as a share of that at the zenith, or of the ground's.
     double luminance(const Vec3& towards) const { return ground_ ? 1 : shares_(towards); }
@@ -88,7 +94,7 @@ private:
     PolygonWidth lines_;
     Vec3 point_, normal_;
     bool ground_;
-    double window_;
+    std::optional<double> window_;
 };
 
 } // namespace keiko

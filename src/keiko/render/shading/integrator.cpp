@@ -5,6 +5,7 @@
 #include "keiko/light/luminance/gloss_kernel.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/luminance_along.h"
+#include "keiko/light/sky/sky_panels.h"
 
 #include <algorithm>
 #include <bit>
@@ -12,9 +13,6 @@
 
 namespace keiko {
 namespace {
-
-/// mm: end of a ray that misses the scene, for the medium in between.
-constexpr double far_away = 1e6;
 
 /// Branch of what the first surface mirrors.
 constexpr std::uint64_t first_mirrored = 1;
@@ -58,7 +56,8 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
 }
 
 Segment Integrator::leg_of(const Ray& ray, const Hit* hit) {
-    return {ray.origin, hit ? hit->position : ray.origin + ray.direction.normalized() * far_away};
+    return {ray.origin,
+            hit ? hit->position : ray.origin + ray.direction.normalized() * sky_distance};
 }
 
 SampleBatch Integrator::follow(std::span<const Ray> camera_rays) const {
