@@ -64,6 +64,19 @@ TEST(ContourCurves, OfACylinderAreTwoOfItsLines) {
     }
 }
 
+TEST(ContourCurves, AlongSidesOfPatchesAreFoundOnce) {
+    const SurfaceModel sphere = test::sphere_model(Affine::scale(50));
+    const SurfaceModel cylinder = test::cylinder_model(Affine::scale(20));
+    for (const Vec3& from : {Vec3(1, 0, 0), Vec3(0, -1, 0)}) {
+        const LineEye eye(camera_at(from * 300, Projection::orthographic));
+        EXPECT_NEAR(total_length(contour_curves(sphere, eye)), 100 * std::numbers::pi, 0.05);
+        const auto lines = contour_curves(cylinder, eye);
+        EXPECT_NEAR(total_length(lines), 80, 1e-6);
+        for (const ContourLine& line : lines)
+            for (const Vec3& p : line.points) EXPECT_NEAR(p.dot(from), 0, 1e-6);
+    }
+}
+
 TEST(ContourCurves, OfAPlateSeenEdgeOnAreNone) {
     test::ModelBuilder builder;
     builder.plane({-50, -50, 0}, {100, 0, 0}, {0, 100, 0});

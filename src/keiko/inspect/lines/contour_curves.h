@@ -4,7 +4,9 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/inspect/basics/line_field.h"
+#include "keiko/inspect/basics/patch_lines.h"
 
+#include <memory>
 #include <vector>
 
 namespace KEIKO_API keiko {
@@ -20,6 +22,21 @@ struct ContourLine {
     double deviation = 0;       ///< mm, about the largest distance between curve and chords
     std::vector<Vec3> points{}; ///< world, mm, on the exact surface
 };
+
+/// A piece of a contour generator on one patch, with its exact course between the points.
+struct PatchContour {
+    std::uint32_t instance = 0, face = 0, patch = 0; ///< into the model's arrays
+    PatchLine line;                                  ///< its points lie on the exact curve
+    /// The function on the patch whose zeros they are.
+    std::shared_ptr<const ZeroFunction> function;
+};
+
+/// The contours of the trimmed faces of a model patch by patch, hidden ones too, not joined. A side
+/// of a patch that is edge-on all along is one of them, once a face. `chord_error` in mm. Ordered
+/// by instance, face and patch, the same for any number of threads. Reports stage "contours".
+/// Throws Cancelled.
+std::vector<PatchContour> patch_contours(const SurfaceModel& model, const LineEye& eye,
+                                         double chord_error = 0.01, const Job& job = {});
 
 /// Every contour curve of the trimmed faces of a model, hidden ones too: where the normal is square
 /// to the line of sight. Faces end at their borders, so that edges at which two faces turn away
