@@ -98,6 +98,13 @@ def car_lines(program, folder):
     return {"concept-car-lines": folder / "a.png"}
 
 
+def car_drawing(program, folder):
+    """Three views of the car as lines."""
+    keiko(program, "draw", SURFACES / "concept-car.step", "--hidden", "dash", "--title", "Concept car", "-o",
+          folder / "a.svg")
+    return {"drawing": folder / "a.svg"}
+
+
 def raised_sheet(program, folder):
     """The distance map of a sheet of which an inner control point is 0.5 mm higher."""
     from step_text import StepText
@@ -150,6 +157,7 @@ COMMANDS = {
     ("seams-lines",): seam_lines,
     ("hood-lines", "hood-inflections"): hood_inspection,
     ("concept-car-lines",): car_lines,
+    ("drawing",): car_drawing,
     ("compare",): raised_sheet,
     ("placement-hood", "placement-hood-overhead", "placement-car", "placement-car-overhead",
      "placement-histogram"): placements,

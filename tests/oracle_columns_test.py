@@ -40,6 +40,11 @@ UNREAD |= {
        for table in ("stereo_mirror", "stereo_points")},
     **{("stereo_mirror", c): "of the mirror itself: both reflection points are read"
        for c in "in.p out.V out.gap out.z_par out.z_surface".split()},
+    ("box_contour", "out.contour_solid"): "solid angles of polygons are read from the tables of lights",
+    **{("box_contour", f"out.{c}"): "of the faces: their contour edges, which follow from it, are read"
+       for c in ("front", "n_front")},
+    **{("outline_points", c): "names the point on the outline, whose place is read"
+       for c in ("in.angle_deg", "in.branch", "out.n_sol")},
     **{("stereo_points", f"out.{c}"): "follows from the pixels, which are read" for c in "in_L in_R par_deg".split()},
 }
 # Of its own value, what the oracle may be off by: far below what any test asks of it.

@@ -1,4 +1,4 @@
-/// Lines of the lamps on a body, and files of curves.
+/// Lines of the lamps on a body, line drawings of it, and files of curves.
 #pragma once
 
 #include "keiko/files/scene/rig_file.h"
@@ -9,5 +9,6 @@
 #include "keiko/report/content/line_list.h"
 #include "keiko/report/content/scope_texts.h"
 #include "keiko/workflow/curve_output.h"
+#include "keiko/workflow/draw_scene.h"
 #include "keiko/workflow/find_lines.h"
 #include "keiko/workflow/found_curves.h"

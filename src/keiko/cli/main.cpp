@@ -22,6 +22,7 @@ int main(int argc, char** argv) try {
     cli::add_check(app, session);
     cli::add_compare(app, session);
     cli::add_completion(app, session);
+    cli::add_draw(app, session);
     cli::add_illuminance(app, session);
     cli::add_info(app, session);
     cli::add_inspect(app, session);

@@ -102,6 +102,8 @@ void add_check(CLI::App& app, Session& session);
 void add_compare(CLI::App& app, Session& session);
 /// Adds `keiko completion`.
 void add_completion(CLI::App& app, Session& session);
+/// Adds `keiko draw`.
+void add_draw(CLI::App& app, Session& session);
 /// Adds `keiko illuminance`.
 void add_illuminance(CLI::App& app, Session& session);
 /// Adds `keiko info`.

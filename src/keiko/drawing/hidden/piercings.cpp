@@ -1,0 +1,94 @@
+#include "keiko/drawing/hidden/piercings.h"
+
+#include "keiko/base/parallel.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace keiko {
+namespace {
+
+/// Distance from an end of the curve, of the body's size, within which nothing is pierced.
+constexpr double at_end = 1e-5;
+
+class PiercingSearch {
+public:
+    PiercingSearch(const ModelCurve& curve, const Tracer& tracer)
+        : curve_(curve), tracer_(tracer), end_(at_end * tracer.bounds().size() + curve.reach) {}
+
+    std::vector<Piercing> run() const {
+        std::vector<Piercing> found;
+        const std::vector<Vec3>& points = curve_.course.points;
+        std::vector<Ray> chords;
+        for (std::size_t i = 0; i + 1 < points.size(); ++i)
+            chords.push_back(chord(points[i], points[i + 1]));
+        const std::vector<bool> met = tracer_.any(chords);
+        for (std::size_t i = 0; i < chords.size(); ++i) {
+            if (!met[i]) continue;
+            for (const Hit& hit : tracer_.all(chords[i]))
+                if (const auto piercing = refined(hit, static_cast<double>(i)))
+                    found.push_back(*piercing);
+        }
+        return found;
+    }
+
+private:
+    static Ray chord(const Vec3& from, const Vec3& to) {
+        Ray ray;
+        ray.origin = from, ray.direction = to - from, ray.t_max = 1;
+        return ray;
+    }
+
+    bool is_own(const Hit& hit) const {
+        const PlacedFace face{hit.instance, hit.face};
+        return std::find(curve_.faces.begin(), curve_.faces.end(), face) != curve_.faces.end();
+    }
+
+    bool is_at_end(const Vec3& place) const {
+        const std::vector<Vec3>& points = curve_.course.points;
+        return (place - points.front()).length() <= end_ ||
+               (place - points.back()).length() <= end_;
+    }
+
+    /// The piercing near a hit of the chord that begins at a point of the curve, by ever shorter
+    /// chords about it.
+    std::optional<Piercing> refined(const Hit& hit, double begin) const {
+        if (is_own(hit) || is_at_end(hit.position)) return std::nullopt;
+        Piercing found{begin + hit.t, hit.normal};
+        constexpr int most = 12; // shares of a chord down to rounding
+        double half = 0.5;
+        for (int i = 0; i < most; ++i) {
+            half /= 8;
+            const double low = std::max(found.t - half, begin);
+            const double high = std::min(found.t + half, begin + 1);
+            const Ray part = chord(curve_.course.at(low), curve_.course.at(high));
+            const auto next = hit_of(hit, part);
+            if (!next) break;
+            found = {low + next->t * (high - low), next->normal};
+        }
+        return found;
+    }
+
+    /// The hit of a ray with the face of another one.
+    std::optional<Hit> hit_of(const Hit& other, const Ray& ray) const {
+        for (const Hit& hit : tracer_.all(ray))
+            if (hit.instance == other.instance && hit.face == other.face) return hit;
+        return std::nullopt;
+    }
+
+    const ModelCurve& curve_;
+    const Tracer& tracer_;
+    double end_; ///< mm
+};
+
+} // namespace
+
+std::vector<ModelCurve> find_piercings(std::vector<ModelCurve> curves, const Tracer& tracer,
+                                       const Job& job) {
+    parallel_for(curves.size(), job, "", [&](std::size_t i) {
+        curves[i].piercings = PiercingSearch(curves[i], tracer).run();
+    });
+    return curves;
+}
+
+} // namespace keiko
