@@ -29,6 +29,9 @@ class Draw(KeikoTest):
             self.assertIn(text, texts)
         self.assertTrue(any(re.fullmatch(r"scale (\d+:1|1:\d+), dimensions in mm", text) for text in texts), texts)
 
+    def test_the_title_is_the_name_of_the_file(self):
+        self.assertIn("bored-block.step", self.texts(BLOCK))
+
     def test_hidden_lines_are_removed_dashed_or_drawn(self):
         view = (BLOCK, "--view", "three-quarter-front")
         removed, dashed, wires = (self.layers(*view, *hidden)

@@ -127,6 +127,13 @@ void add_dimensions(SheetView& drawn, const Camera& camera, const Box3& box) {
     if (!drawn.width || !drawn.height) drawn.width = drawn.height = std::nullopt;
 }
 
+/// "left.step, right.step"
+std::string names_of(std::span<const std::filesystem::path> files) {
+    std::vector<std::string> names;
+    for (const std::filesystem::path& file : files) names.push_back(file.filename().string());
+    return comma_list(names);
+}
+
 const std::vector<std::string> three_views{"left", "front", "top"};
 
 } // namespace
@@ -170,7 +177,7 @@ Sheet draw_scene(const Scene& scene, const DrawOptions& options, const Job& job)
     layout.dash_hidden = options.hidden == HiddenLines::dash;
     layout.three_views = three;
     layout.list = numbered_list(findings);
-    layout.title = options.title.empty() ? source_of(scene) : options.title;
+    layout.title = options.title.empty() ? names_of(scene.inputs) : options.title;
     return laid_out(drawn, layout);
 }
 

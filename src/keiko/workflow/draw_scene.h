@@ -27,7 +27,7 @@ enum class HiddenLines {
 struct DrawOptions {
     std::vector<std::string> views{}; ///< as in choose_views; empty: left, front and top
     bool perspective = false;         ///< from the views' own eyes; otherwise by parallel rays
-    HiddenLines hidden = HiddenLines::remove;
+    HiddenLines hidden = HiddenLines::remove; ///< treatment of hidden lines
     /// Kinds of curves that are left out, by name_of().
     std::vector<std::string> without{};
     double join = 0.5;       ///< mm, within which two borders are a seam

@@ -46,7 +46,8 @@ struct RayTally {
 /// where the line of sight only grazes a surface, passes through the gap of a seam, or meets
 /// something so near that the point may lie in it. The places just beside ends of pieces are such
 /// where the curve goes behind its own face.
-std::optional<bool> visible(const Vec3& point, const test::DrawnBody& body) {
+std::optional<bool> visible(const Vec3& point, const ModelCurve& curve,
+                            const test::DrawnBody& body) {
     constexpr double itself = 1e-9, near = 1e-5, grazing = 0.01; // of the size; a cosine
     const Ray ray = body.projection.sight_line(point, 2 * body.sight.size() + 1);
     const double length = ray.direction.length();
@@ -56,8 +57,11 @@ std::optional<bool> visible(const Vec3& point, const test::DrawnBody& body) {
     for (const Hit& hit : hits) {
         const double before = (1 - hit.t) * length / body.sight.size();
         if (before < itself) continue;
-        const bool grazes = std::abs(ray.direction.dot(hit.normal)) < grazing * length;
-        if (!grazes && before > near && !has(hit.flags, HitFlags::seam)) return false;
+        const double cosine = std::abs(ray.direction.dot(hit.normal)) / length;
+        const double below = before * cosine * body.sight.size();
+        if (cosine > grazing && before > near && below > 2 * curve.reach &&
+            !has(hit.flags, HitFlags::seam))
+            return false;
         decided = false;
     }
     return decided ? std::optional(true) : std::nullopt;
@@ -78,7 +82,7 @@ RayTally rays_along(const CurvePiece& piece, const ModelCurve& curve, const test
     RayTally tally;
     for (const double t : places) {
         ++tally.places;
-        const auto by_ray = visible(curve.course.at(t), body);
+        const auto by_ray = visible(curve.course.at(t), curve, body);
         if (!by_ray) ++tally.undecided;
         if (!by_ray || *by_ray == piece.visible) continue;
         ++tally.wrong;

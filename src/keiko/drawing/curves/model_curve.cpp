@@ -7,7 +7,7 @@ namespace keiko {
 
 std::string_view name_of(CurveKind kind) {
     constexpr std::array<std::string_view, curve_kinds> names{
-        "outlines", "edges", "creases", "seams", "iso-curves", "sections", "lines", "findings"};
+        "outlines", "edges", "creases", "seams", "iso-curves", "sections", "lines"};
     return names[static_cast<std::size_t>(kind)];
 }
 

@@ -21,13 +21,11 @@ enum class CurveKind {
     seam,    ///< border at which two faces join smoothly
     iso,     ///< of constant u or v
     section, ///< of a plane with the body
-    line,    ///< reflection line, highlight line or isophote of a lamp
-    finding  ///< what an inspection found
+    line     ///< reflection line, highlight line or isophote of a lamp
 };
 /// Number of kinds.
-constexpr std::size_t curve_kinds = 8;
-/// Name of the layer: "outlines", "edges", "creases", "seams", "iso-curves", "sections", "lines",
-/// "findings".
+constexpr std::size_t curve_kinds = 7;
+/// Name of the layer: "outlines", "edges", "creases", "seams", "iso-curves", "sections", "lines".
 std::string_view name_of(CurveKind kind);
 
 /// A curve in space by points of it and its exact course between them. Its parameter is 0, 1, 2...

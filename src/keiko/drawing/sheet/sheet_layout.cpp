@@ -26,9 +26,7 @@ Pen pen_of(CurveKind kind) {
             return {0.5, 0.25};
         case CurveKind::edge:
         case CurveKind::crease:
-            return {0.35, 0.18};
         case CurveKind::section:
-        case CurveKind::finding:
             return {0.35, 0.18};
         case CurveKind::line:
             return {0.25, 0.13};
@@ -76,7 +74,7 @@ public:
 
 private:
     std::vector<std::string> notes() const {
-        std::vector<std::string> notes = options_.notes;
+        std::vector<std::string> notes;
         const std::string units = "dimensions in mm";
         notes.push_back(scale_ ? "scale " + scale_text(*scale_) + ", " + units
                                : "not to scale, " + units);

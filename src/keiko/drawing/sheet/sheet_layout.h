@@ -33,9 +33,8 @@ struct SheetOptions {
     /// Three views of one body in first-angle projection [ISO5456-2]: the first upper left, the
     /// second to its right and the third below it, all in one scale. Otherwise views fill a grid.
     bool three_views = false;
-    std::string title;                ///< of the sheet
-    std::vector<std::string> notes{}; ///< lines below it in the title block
-    std::vector<std::string> list{};  ///< lines of text beside the title block
+    std::string title;               ///< of the sheet
+    std::vector<std::string> list{}; ///< lines of text beside the title block
 };
 
 /// Millimetres of paper for one of the body: the largest usual scale (1, 2 or 5 times a power of
