@@ -9,9 +9,7 @@ import unittest
 TESTS = pathlib.Path(__file__).resolve().parent
 TABLES = sorted((TESTS / "data" / "oracle").glob("*.csv"))
 NAME = re.compile(r'"((?:in|out)\.[\w.]+)"')
-BUMP_COLUMNS = "in.A in.Pu in.Pv in.a in.b in.u in.v out.Np out.hu out.hv".split()
 UNREAD = {
-    **{("bump", column): "of bump mapping, which no part of Keiko does yet" for column in BUMP_COLUMNS},
     ("cplane_hit", "out.ph"): "how far off its lamp's axis a hit is: follows from v, which is read",
     ("fresnel", "out.schlick"): "Schlick's approximation, which Keiko does without",
     ("fresnel", "out.theta_t_deg"): "the refracted direction is read from the table refract",

@@ -44,6 +44,11 @@ double srgb_oetf(double linear) {
     return x <= 0.0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - 0.055;
 }
 
+double srgb_eotf(double encoded) {
+    if (!(encoded > 0)) return 0;
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+
 double srgb_slope(double linear) {
     const double x = std::min(linear, 1.0);
     return x <= 0.0031308 ? 12.92 : 1.055 / 2.4 * std::pow(x, 1 / 2.4 - 1);

@@ -24,6 +24,9 @@ struct ToneMapping {
 /// sRGB transfer function [IEC61966-2-1] of a linear value, clamped to [0, 1].
 double srgb_oetf(double linear);
 
+/// Linear value of one encoded by srgb_oetf(), its inverse; of a negative value 0.
+double srgb_eotf(double encoded);
+
 /// Derivative of srgb_oetf() by the linear value, to its left from 1 on: 0.44 at 1, 12.92 near 0.
 double srgb_slope(double linear);
 

@@ -3,6 +3,7 @@
 #include "keiko/base/export.h"
 #include "keiko/light/luminance/gloss_kernel.h"
 #include "keiko/math/rgb.h"
+#include "keiko/scene/material_map.h"
 
 #include <optional>
 #include <span>
@@ -47,9 +48,15 @@ struct Material {
     std::optional<Glass> glass{};         ///< instead of base and coat; smooth, without flakes
     std::optional<Roughness> roughness{}; ///< of the coat or the metal; none: a smooth mirror
     std::optional<FlakeLayer> flakes{};   ///< none by default
+    std::vector<MaterialMap> maps{};      ///< that vary it over a surface
 
     bool operator==(const Material&) const = default;
 };
+
+/// Moves the maps of a material with its model.
+inline void place_maps(const Affine& motion, Material& material) {
+    for (MaterialMap& map : material.maps) map.placement = motion * map.placement;
+}
 
 /// True for each of some faces whose material is glass.
 inline std::vector<bool> glass_faces(std::span<const Material> materials) {

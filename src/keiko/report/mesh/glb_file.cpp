@@ -1,4 +1,5 @@
 #include "keiko/base/error.h"
+#include "keiko/film/tone_mapping.h"
 #include "keiko/math/bounds.h"
 #include "keiko/report/content/surface_mesh.h"
 #include "keiko/report/markup/json_text.h"
@@ -23,11 +24,6 @@ struct GlbFrame {
     Vec3 direction(const Vec3& v) const { return {v.x, v.z, -v.y}; }
     Vec3 point(const Vec3& p) const { return direction(p - middle) * 1e-3; }
 };
-
-/// Linear part of a display colour by the curve of sRGB [IEC61966-2-1].
-double linear(double display) {
-    return display <= 0.04045 ? display / 12.92 : std::pow((display + 0.055) / 1.055, 2.4);
-}
 
 /// The binary chunk, and what JSON says of its parts.
 struct GlbBuffer {
@@ -65,7 +61,7 @@ GlbBuffer buffer_of(const SurfaceMesh& mesh, const std::optional<ValueRange>& ra
     for (const Vec3& n : mesh.normals)
         normals.push_back(n == Vec3(0) ? Vec3(0, 1, 0) : frame.direction(n));
     for (const Rgb& c : corner_colors(mesh, range))
-        colors.emplace_back(linear(c.r), linear(c.g), linear(c.b));
+        colors.emplace_back(srgb_eotf(c.r), srgb_eotf(c.g), srgb_eotf(c.b));
     GlbBuffer buffer;
     buffer.add_vectors(positions), buffer.add_vectors(normals), buffer.add_vectors(colors);
     buffer.accessors[0]["min"] = vector_json(box.lower),
