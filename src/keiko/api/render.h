@@ -4,6 +4,7 @@
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/false_color.h"
 #include "keiko/film/image_file.h"
+#include "keiko/render/panorama_film.h"
 #include "keiko/render/shading/picture.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/hidden_faces.h"

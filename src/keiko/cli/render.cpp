@@ -49,6 +49,18 @@ void warn_of_thick_fog(const Scene& scene, const LightRig& rig, const Vec3& eye)
     log_warning(text.str());
 }
 
+/// Tells what a picture of the surroundings cannot show.
+void note_environment(const Scene& scene) {
+    const auto error = low_order_error(scene);
+    if (!error) return;
+    std::ostringstream text;
+    text << std::setprecision(2)
+         << "the surroundings are a picture at infinity: mirrors show it without parallax, and "
+         << "its light has no shadows and is off by up to " << 100 * *error
+         << " % of the brightest, of its low orders alone";
+    log_warning(text.str());
+}
+
 /// Half the distance of the eyes is a rule of thumb for what is fused with ease.
 void warn_of_parallax(const Scene& scene, const Camera& camera, const Stereo& eyes) {
     const double parallax = largest_parallax(camera, eyes, scene.tracer.bounds());
@@ -77,6 +89,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Sc
                   const NamedView& view, const Job& job) {
     const LightRig rig = rig_of(scene, arguments, view, job);
     warn_of_thick_fog(scene, rig, view.camera.eye);
+    note_environment(scene);
     PictureOptions options{.aovs = arguments.aovs(), .tubes = arguments.tubes()};
     options.light_error = arguments.light_error, options.edge_samples = arguments.edge_samples;
     const ShownQuantity quantity = arguments.quantity();

@@ -44,6 +44,29 @@ TexturePlace place_of(const ProjectedPlace& at, const Vec3& dx, const Vec3& dy) 
     return {Vec3(at.at.x, at.at.y, 0), change(dx), change(dy)};
 }
 
+/// Texels [x0, x1) x [y0, y1) of a picture.
+struct TexelBlock {
+    int x0, y0, x1, y1;
+
+    Vec2 middle() const { return Vec2(x0 + x1, y0 + y1) / 2.0; }
+    Rgb mean(const PictureTexture& picture) const {
+        Rgb sum;
+        for (int y = y0; y < y1; ++y)
+            for (int x = x0; x < x1; ++x) sum += picture.texel_at(x, y);
+        return sum / ((x1 - x0) * (y1 - y0));
+    }
+    /// Share of the picture's square.
+    double area(const PictureTexture& picture) const {
+        return (x1 - x0) * (y1 - y0) * picture.texel().x * picture.texel().y;
+    }
+    double lat_long_solid_angle(const PictureTexture& picture) const {
+        double sum = 0;
+        for (int y = y0; y < y1; ++y)
+            sum += keiko::lat_long_solid_angle(picture.width(), picture.height(), y);
+        return sum * (x1 - x0);
+    }
+};
+
 } // namespace
 
 Environment::Environment(const EnvironmentSpec& spec)
@@ -70,21 +93,24 @@ Vec3 Environment::to_picture(const Vec3& d) const {
     return {cosine_ * d.x + sine_ * d.y, cosine_ * d.y - sine_ * d.x, d.z};
 }
 
-/// Calls `visit`(unit direction in the world, cd/m2, sr).
+/// Calls `visit`(unit direction in the world, cd/m2, sr) for blocks of texels, of one texel each in
+/// pictures of up to 512 columns.
 template <class Visit>
 void Environment::each_texel(const Visit& visit) const {
-    const bool cube = faces_.size() > 1;
+    constexpr int most_columns = 512;
     for (std::size_t face = 0; face < faces_.size(); ++face) {
         const PictureTexture& picture = faces_[face];
-        const Vec2 texel = picture.texel();
-        for (int y = 0; y < picture.height(); ++y)
-            for (int x = 0; x < picture.width(); ++x) {
-                const Vec2 at((x + 0.5) * texel.x, (y + 0.5) * texel.y);
-                const double solid_angle =
-                    cube ? cube_solid_angle(at) * texel.x * texel.y
-                         : lat_long_solid_angle(picture.width(), picture.height(), y);
+        const int width = picture.width(), height = picture.height();
+        const int side = (width + most_columns - 1) / most_columns;
+        for (int y = 0; y < height; y += side)
+            for (int x = 0; x < width; x += side) {
+                const TexelBlock block{x, y, std::min(x + side, width), std::min(y + side, height)};
+                const Vec2 at = block.middle() * picture.texel();
+                const bool cube = faces_.size() > 1;
                 visit(to_world(cube ? cube_direction(face, at) : lat_long_direction(at)),
-                      picture.texel_at(x, y) * spec_.luminance, solid_angle);
+                      block.mean(picture) * spec_.luminance,
+                      cube ? cube_solid_angle(at) * block.area(picture)
+                           : block.lat_long_solid_angle(picture));
             }
     }
 }
@@ -109,8 +135,7 @@ Rgb Environment::irradiance(const Vec3& normal) const {
 Rgb Environment::texel_irradiance(const Vec3& normal) const {
     Rgb sum;
     each_texel([&](const Vec3& direction, const Rgb& luminance, double solid_angle) {
-        const double cosine = direction.dot(normal);
-        if (cosine > 0) sum += luminance * (cosine * solid_angle);
+        sum += luminance * (std::max(direction.dot(normal), 0.0) * solid_angle);
     });
     return sum;
 }
@@ -118,12 +143,12 @@ Rgb Environment::texel_irradiance(const Vec3& normal) const {
 double Environment::low_order_error() const {
     double largest = 0, deviation = 0;
     for (int i = 0; i < 27; ++i) {
-        const Vec3 normal(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-        if (normal == Vec3(0)) continue;
-        const double exact = keiko::luminance(texel_irradiance(normal.normalized()));
-        const double low = keiko::luminance(irradiance(normal.normalized()));
+        const Vec3 axis(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        if (axis == Vec3(0)) continue;
+        const Vec3 normal = axis.normalized();
+        const double exact = keiko::luminance(texel_irradiance(normal));
         largest = std::max(largest, exact);
-        deviation = std::max(deviation, std::abs(low - exact));
+        deviation = std::max(deviation, std::abs(keiko::luminance(irradiance(normal)) - exact));
     }
     return largest > 0 ? deviation / largest : 0;
 }

@@ -2,6 +2,7 @@
 
 #include "keiko/light/rig/rig_areas.h"
 #include "keiko/light/rig/rig_sky.h"
+#include "keiko/maps/scene_maps.h"
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/scene/camera.h"
 
@@ -113,8 +114,11 @@ std::vector<Tile> tiles_of(const Camera& camera, int width, int height) {
 }
 
 PictureRays::PictureRays(const PictureScene& scene, const Camera& seen_by) : camera(seen_by) {
-    // Rays that miss the scene show a medium and the sky, too.
-    if (scene.rig.medium || !RigSky(scene.rig).empty()) return;
+    // Rays that miss the scene show a medium, the sky and the surroundings, too.
+    const Environment* environment = scene.maps ? scene.maps->environment() : nullptr;
+    if (scene.rig.medium || !RigSky(scene.rig).empty() ||
+        (environment && environment->spec().visible))
+        return;
     const std::span<const Box3> surfaces = scene.tracer.boxes();
     std::vector<Box3> boxes = RigAreas(scene.rig).boxes();
     boxes.insert(boxes.end(), surfaces.begin(), surfaces.end());

@@ -1,10 +1,11 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/rgb.h"
 
 #include <filesystem>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// A picture of the surroundings at infinity, which mirrors show and which lights by its low orders
 /// (docs/theory/maps.md#environments). World z is up.

@@ -3,6 +3,7 @@
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/math/affine.h"
 #include "keiko/scene/camera.h"
+#include "keiko/scene/environment_spec.h"
 #include "keiko/scene/material.h"
 
 #include <filesystem>
@@ -67,16 +68,17 @@ struct Animation {
 
 /// A scene file's content (keiko-scene/1), every path resolved.
 struct SceneSpec {
-    std::vector<ModelSpec> models;       ///< in the order of the file
-    std::optional<Camera> camera;        ///< nullopt: `view`, or neither
-    std::optional<std::string> view;     ///< a named view instead of a camera
-    int width = 960, height = 540;       ///< picture size, for named views
-    std::optional<LightRig> rig;         ///< none: to be placed
-    std::optional<GroundSpec> ground;    ///< nullopt: no floor
-    Rgb background{0};                   ///< cd/m2 where the camera ray meets nothing
-    std::optional<int> max_depth;        ///< mirror reflections followed along one ray
-    std::optional<double> min_weight;    ///< reflections that count less end the path
-    std::vector<Animation> animations{}; ///< without fault; see at_frame
+    std::vector<ModelSpec> models;                ///< in the order of the file
+    std::optional<Camera> camera;                 ///< nullopt: `view`, or neither
+    std::optional<std::string> view;              ///< a named view instead of a camera
+    int width = 960, height = 540;                ///< picture size, for named views
+    std::optional<LightRig> rig;                  ///< none: to be placed
+    std::optional<GroundSpec> ground;             ///< nullopt: no floor
+    Rgb background{0};                            ///< cd/m2 where the camera ray meets nothing
+    std::optional<int> max_depth;                 ///< mirror reflections followed along one ray
+    std::optional<double> min_weight;             ///< reflections that count less end the path
+    std::optional<EnvironmentSpec> environment{}; ///< surroundings at infinity
+    std::vector<Animation> animations{};          ///< without fault; see at_frame
 };
 
 } // namespace keiko

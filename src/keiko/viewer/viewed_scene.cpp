@@ -80,8 +80,12 @@ std::optional<Occluders> ViewedScene::occluders(const std::vector<std::uint32_t>
 Film ViewedScene::still(const ViewRequest& request, const LightRig& rig, const Job& job) {
     const Tracer seen = seen_without(scene_, request.hidden);
     const std::optional<Occluders> shadows = occluders(request.hidden, job);
-    const PictureScene part{seen, scene_.seen_materials(), rig, scene_.background,
-                            shadows ? &*shadows : nullptr};
+    const PictureScene part{seen,
+                            scene_.seen_materials(),
+                            rig,
+                            scene_.background,
+                            shadows ? &*shadows : nullptr,
+                            scene_.maps.get()};
     return render_part(scene_, part, view_of(request).camera, {}, job);
 }
 

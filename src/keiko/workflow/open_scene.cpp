@@ -7,9 +7,11 @@
 #include "keiko/film/tone_mapping.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
+#include "keiko/maps/scene_maps.h"
 #include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/shadow_casters.h"
 
+#include <algorithm>
 #include <array>
 
 namespace keiko {
@@ -55,6 +57,11 @@ std::optional<GroundSpec> ground_of(const Scene& scene) {
     return GroundSpec{scene.surroundings->ground, scene.surroundings->materials.back()};
 }
 
+std::optional<EnvironmentSpec> environment_of(const Scene& scene) {
+    const Environment* environment = scene.maps ? scene.maps->environment() : nullptr;
+    return environment ? std::optional(environment->spec()) : std::nullopt;
+}
+
 /// Takes the views, the lamps and the size of the pictures of an analysis.
 void take_analysis(Scene& scene, const Analysis& analysis, const Job& job) {
     scene.analysis = followed_analysis(analysis, scene.model, job);
@@ -74,6 +81,15 @@ void Scene::set_picture_size(int wide, int high) {
 }
 
 namespace {
+
+/// Prepares the maps of a scene's materials and its surroundings, if it has any.
+void take_maps(Scene& scene, const std::optional<EnvironmentSpec>& environment) {
+    const std::vector<Material>& materials = scene.seen_materials();
+    const auto has_maps = [](const Material& material) { return !material.maps.empty(); };
+    scene.maps.reset();
+    if (environment || std::any_of(materials.begin(), materials.end(), has_maps))
+        scene.maps = std::make_shared<const SceneMaps>(materials, scene.model, environment);
+}
 
 /// Weights of the steps of opening a scene.
 constexpr double reading = 3, building = 1, following = 1;
@@ -100,6 +116,7 @@ Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& o
                 .surroundings = std::move(all.surroundings),
                 .max_depth = spec.max_depth,
                 .min_weight = spec.min_weight};
+    take_maps(scene, spec.environment);
     if (options.analysis) take_analysis(scene, *options.analysis, steps.next(following));
     return scene;
 }
@@ -132,10 +149,12 @@ std::string source_of(const Scene& scene) {
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {
     for (Instance& instance : scene.model.instances)
         instance.transform = motion * instance.transform;
+    for (Material& material : scene.materials) place_maps(motion, material);
     Traced all = traced(scene.model, scene.materials, ground_of(scene), options, job);
     scene.tracer = std::move(all.tracer);
     scene.surroundings = std::move(all.surroundings);
     scene.occluders = std::move(all.occluders);
+    take_maps(scene, environment_of(scene));
     return scene;
 }
 
@@ -187,6 +206,12 @@ Film render_to_show(const Scene& scene, const LightRig& rig, const Camera& camer
     JobSteps steps(job, coarse + fine);
     options.white = expected_white(scene, rig, camera, options, steps.next(coarse));
     return render_view(scene, rig, camera, options, steps.next(fine));
+}
+
+std::optional<double> low_order_error(const Scene& scene) {
+    const Environment* environment = scene.maps ? scene.maps->environment() : nullptr;
+    if (!environment || !environment->spec().lights) return {};
+    return environment->low_order_error();
 }
 
 double scatterings_past_body(const Scene& scene, const LightRig& rig, const Vec3& eye) {

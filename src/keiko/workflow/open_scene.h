@@ -16,6 +16,7 @@
 #include "keiko/workflow/followed_analysis.h"
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -56,6 +57,7 @@ struct Scene {
     std::optional<double> min_weight{};          ///< PictureOptions
     std::vector<std::filesystem::path> inputs{}; ///< model files, or the scene file
     std::optional<FollowedAnalysis> analysis{};  ///< that it was opened with, on its body
+    std::shared_ptr<const SceneMaps> maps{};     ///< of its materials, and its environment
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
@@ -69,7 +71,8 @@ struct Scene {
     }
     /// Scene of pictures under a rig, to which, as to the scene, a reference is kept.
     PictureScene picture(const LightRig& under) const {
-        return {seen(), seen_materials(), under, background, occluders ? &*occluders : nullptr};
+        return {seen(),    seen_materials(), under, background, occluders ? &*occluders : nullptr,
+                maps.get()};
     }
     /// Sets the size of its pictures, in pixels, and of its camera.
     void set_picture_size(int wide, int high);
@@ -115,6 +118,10 @@ Film render_part(const Scene& scene, const PictureScene& part, const Camera& cam
 /// white_luminance().
 Film render_to_show(const Scene& scene, const LightRig& rig, const Camera& camera,
                     PictureOptions options = {}, const Job& job = {});
+
+/// Largest error of the light of a scene's surroundings by its low orders, relative to the
+/// brightest; nullopt without such light.
+std::optional<double> low_order_error(const Scene& scene);
 
 /// Mean number of scatterings of light on its way from a lamp of the rig past the middle of the
 /// scene's body to the camera. Pictures hold singly scattered light only, and are wrong unless this

@@ -61,7 +61,10 @@ PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const J
         SurfaceModel model = load_model(part.file, options, job);
         const Affine placed = part.transform.affine();
         for (Instance& instance : model.instances) instance.transform = placed * instance.transform;
-        for (const Face& face : model.faces) materials.push_back(paint_of(face, part));
+        for (const Face& face : model.faces) {
+            materials.push_back(paint_of(face, part));
+            place_maps(placed, materials.back());
+        }
         require_matches(model, part);
         models.push_back(std::move(model));
     }

@@ -196,6 +196,18 @@ TEST(Environment, UniformLightIsUniform) {
     EXPECT_LT(sky.low_order_error(), 5e-3);
 }
 
+/// Blocks of texels stand for those of pictures that are larger than need be.
+TEST(Environment, LargePicturesLightAsSmallOnes) {
+    const auto luminance = [](const Vec2& at) {
+        const Vec3 w = lat_long_direction(at);
+        return 2 + w.x + w.y * w.z;
+    };
+    const PictureFile large(1100, 550, luminance), small(275, 138, luminance);
+    const Environment a({.file = large.path()}), b({.file = small.path()});
+    for (const Vec3& n : {Vec3(1, 0, 0), Vec3(0, 0.6, 0.8), Vec3(0, 0, -1)})
+        EXPECT_NEAR(a.irradiance(n).g, b.irradiance(n).g, 1e-4 * b.irradiance(n).g);
+}
+
 TEST(Environment, RefusesPicturesThatAreNoCube) {
     const PictureFile file(32, 16, [](const Vec2&) { return 2.0; });
     EXPECT_THROW(Environment({.file = file.path(), .layout = EnvironmentSpec::Layout::cube}),

@@ -2,6 +2,7 @@
 
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
+#include "keiko/files/scene/environment_table.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/files/toml/toml_reader.h"
@@ -164,6 +165,19 @@ void take_eye(const TomlTable& root, SceneSpec& scene) {
     scene.height = scene.camera->height;
 }
 
+/// A scene whose surroundings light it needs no lamps.
+void take_environment(const TomlTable& root, SceneSpec& scene) {
+    const auto table = root.table("environment");
+    if (!table) return;
+    scene.environment = environment_from(*table);
+    if (!scene.rig) scene.rig.emplace();
+    const std::vector<LightSource>& sources = scene.rig->sources;
+    if (std::any_of(sources.begin(), sources.end(), [](const LightSource& source) {
+            return std::holds_alternative<SkyLight>(source);
+        }))
+        throw root.error("environment", "hides the sky: give either [environment] or [sky]");
+}
+
 GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& materials) {
     GroundSpec ground;
     ground.z = table.number("z", TomlLimits::place()).value_or(ground.z);
@@ -201,6 +215,7 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     take_eye(root, scene);
     scene.rig = rig_of(root);
     scene.background = root.rgb("background", TomlLimits::light()).value_or(scene.background);
+    take_environment(root, scene);
     if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
     scene.min_weight = root.number("min_weight", TomlLimits::share());

@@ -50,6 +50,13 @@ public:
         rough_ = std::move(outside);
     }
 
+    /// This coat on another base.
+    ClearCoat with_base(const Rgb& base_reflectance) const {
+        ClearCoat coat(base_reflectance, n_, mean_);
+        coat.rough_ = rough_;
+        return coat;
+    }
+
     /// Share of the light that the coat reflects, by the cosine of the angle of incidence.
     double mirrored(double cosine) const {
         if (passes_all()) return 0;

@@ -2,6 +2,7 @@
 
 #include "keiko/math/bounds.h"
 #include "keiko/render/lighting/light_interpolation.h"
+#include "keiko/render/shading/mapped_paint.h"
 
 #include <algorithm>
 #include <array>
@@ -200,6 +201,11 @@ std::vector<SharedPlace> shared_places(int width, RefinedPixels& refined) {
         Spots of_pixel;
         for (; i < points.size() && pixel(points[i]) == number && points[i].branch == branch; ++i)
             of_pixel.push_back({at, &points[i]});
+        const auto uneven = [](const OutlineSpot& spot) { return is_uneven(*spot.point); };
+        if (std::any_of(of_pixel.begin(), of_pixel.end(), uneven)) {
+            for (const OutlineSpot& spot : of_pixel) places.push_back({spot, {spot}});
+            continue;
+        }
         for (Spots& surface : smooth_surfaces(std::move(of_pixel)))
             places.push_back({amid(surface, refined.parts), std::move(surface)});
     }

@@ -1,5 +1,7 @@
 #include "keiko/render/lighting/shading_grid.h"
 
+#include "keiko/render/shading/mapped_paint.h"
+
 #include <algorithm>
 #include <numeric>
 #include <set>
@@ -68,7 +70,7 @@ std::vector<Pixel> ShadingGrid::odd_places_of_row(const Rectangle& r) const {
 bool ShadingGrid::is_smooth(int x0, int y0, int x1, int y1) const {
     for (int y = y0; y <= y1; ++y)
         for (int x = x0; x <= x1; ++x) {
-            if (!at(x, y)) return false;
+            if (!at(x, y) || is_uneven(*at(x, y))) return false;
             if (x < x1 && !goes_right(x, y)) return false;
             if (y < y1 && !goes_down(x, y)) return false;
         }

@@ -4,6 +4,7 @@
 #include "keiko/math/disjoint_sets.h"
 #include "keiko/render/lighting/error_budget.h"
 #include "keiko/render/lighting/quadratic_fit.h"
+#include "keiko/render/shading/mapped_paint.h"
 
 #include <algorithm>
 #include <array>
@@ -181,7 +182,8 @@ private:
     void light(const Places& region) {
         const bool has_lobes = integrator_.has_lobes(*places_[region[0]].point);
         const std::size_t count = has_lobes ? lobe_node_count : node_count;
-        if (!(error_ > 0) || region.size() <= count) return light_each(region);
+        if (!(error_ > 0) || region.size() <= count || is_uneven(*places_[region[0]].point))
+            return light_each(region);
         const Chart chart = chart_of(places_, region, !has_lobes);
         if (fit(region, chart, count)) return;
         const auto [low, high] = halves(region, chart);

@@ -27,8 +27,10 @@ const std::vector<GridPlace>& hilbert_order(int width, int height);
 struct PixelSample {
     Rgb luminance;            ///< cd/m2
     const Hit* hit = nullptr; ///< the first surface, of SampleBatch::hits; null: none, or not kept
-    double cosine = 0;        ///< of the angle at which it is viewed, 0 to 1
-    double illuminance = 0;   ///< lx of direct light on it, if an AOV needs it
+    /// Normal of the first surface without the bumps of maps; empty if the scene has no maps.
+    std::optional<Vec3> unbent;
+    double cosine = 0;      ///< of the angle at which it is viewed, 0 to 1
+    double illuminance = 0; ///< lx of direct light on it, if an AOV needs it
     // The next four if edges or AOVs need them, else as without a reflected ray.
     /// Intersection of the first reflected ray with the nearest C-plane, mm; nullopt if the body is
     /// in the way.
@@ -47,9 +49,9 @@ struct PixelSample {
     HitStatistics paths;     ///< of its hits, the reflected rays' included
 };
 
-/// Surface place of a sample with a hit.
+/// Surface place of a sample with a hit. Bumps are no edges, so it has the normal without them.
 inline SurfacePlace place_of(const PixelSample& sample) {
-    return {sample.hit->position, sample.hit->normal, sample.paint};
+    return {sample.hit->position, sample.unbent.value_or(sample.hit->normal), sample.paint};
 }
 
 /// Camera rays through places of a grid, which are numbered row by row.

@@ -6,11 +6,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace keiko {
+
+struct MappedPaint;
 
 /// A visible place of a surface in a picture.
 struct SurfacePlace {
@@ -37,6 +40,8 @@ struct ShadingPoint {
     Root root{};          ///< of the hit, for rays from the point to leave out
     Vec3 eye{0};          ///< unit, towards the viewer
     Rgb weight{};         ///< weight of its luminance in the sample
+    /// Its own paint and whether its light may be interpolated; of places with maps alone.
+    std::shared_ptr<const MappedPaint> mapped{};
 };
 
 /// Light of the lamps at a shading point: smooth along a surface except for shadows.

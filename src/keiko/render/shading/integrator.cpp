@@ -33,6 +33,7 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
                        const std::optional<Vec3>& eye, const Job& job)
     : scene_(scene),
       options_(options),
+      maps_(scene.maps, scene.materials),
       planes_(scene.rig),
       areas_(scene.rig),
       sky_(scene.rig),
@@ -50,7 +51,8 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
         if (found != known.end()) continue;
         known.push_back(material);
         paints_.emplace_back(material);
-        mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light() && !material.glass;
+        mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light() && !material.glass &&
+                         material.maps.empty();
     }
     if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.casting(), *eye, job);
 }
@@ -61,7 +63,10 @@ Segment Integrator::leg_of(const Ray& ray, const Hit* hit) {
 }
 
 SampleBatch Integrator::follow(std::span<const Ray> camera_rays) const {
-    SampleBatch view = this->view(Rays(camera_rays.begin(), camera_rays.end()));
+    return lit(this->view(Rays(camera_rays.begin(), camera_rays.end())));
+}
+
+SampleBatch Integrator::lit(SampleBatch view) const {
     for (const ShadingPoint& point : view.points)
         add_light(point, direct_light(point), view.samples[point.sample]);
     return view;
@@ -81,20 +86,32 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
         return {};
     }
     sample.paths.count(*met.hit);
-    if (takes_light(paint_of_face_[met.hit->face], path.branch)) {
+    const std::uint32_t paint = paint_of_face_[met.hit->face];
+    std::shared_ptr<const MappedPaint> mapped;
+    if (maps_.has(met.hit->face)) mapped = maps_.paint(paints_[paint], met.ray, *met.hit);
+    if (takes_light(paint, path.branch)) {
         view.points.push_back(shading_point_at(path, met));
+        view.points.back().mapped = mapped;
         sample.lit = true;
         sample.luminance += path.weight * ambient_luminance(view.points.back());
     }
     if (path.branch == 0) sample.cosine = met.incidence.cosine;
-    return onward(path, met);
+    return onward(path, met, mapped.get());
 }
 
 Rgb Integrator::beyond(const PathState& path, const Ray& ray) const {
-    const Rgb else_seen = path.straight ? scene_.background : even_luminance(scene_.rig.ambient);
+    const Rgb else_seen = behind_sky(path, ray);
     if (sky_.empty()) return else_seen;
     const MirroredLight sky = sky_.beyond(ray.origin, ray.direction, ray.differentials);
     return sky.luminance + else_seen * (1 - sky.coverage);
+}
+
+Rgb Integrator::behind_sky(const PathState& path, const Ray& ray) const {
+    if (environment() && (environment()->spec().visible || !path.straight)) {
+        const RayDifferentials spread = ray.differentials.value_or(RayDifferentials());
+        return environment()->luminance(ray.direction, spread.direction_dx, spread.direction_dy);
+    }
+    return path.straight ? scene_.background : even_luminance(scene_.rig.ambient);
 }
 
 /// Records the first hit of a camera ray, and the hits of the rays that it sends on.
@@ -202,6 +219,7 @@ std::vector<LightVisibility> Integrator::light_visibility(const ShadingPoint& po
 std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
                                                   std::span<const LightId> lights,
                                                   std::vector<LightVisibility> seen) const {
+    // Of the material, so that light between places with dark spots of a map is theirs too.
     const Paint& paint = paints_[point.place.paint];
     const Vec3& normal = point.place.normal;
     const PointLighting lit(rig_, point.place.position, normal, tubes_, lights, std::move(seen));
@@ -223,12 +241,13 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
         else
             for (DirectLight& light : brought) light.incident = keiko::luminance(light.illuminance);
     }
-    const auto add_lobe = [&](const auto& kernel) {
+    const auto add_lobe = [&](const auto& kernel, const Rgb& share) {
         each(lit.glossy_by_light(kernel, lights_, point.root),
-             [](DirectLight& light, const Rgb& sent) { light.lobes += sent; });
+             [&](DirectLight& light, const Rgb& sent) { light.lobes += sent * share; });
     };
-    if (paint.gloss()) add_lobe(GlossKernel(*paint.gloss(), normal, point.eye));
-    if (paint.flakes()) add_lobe(FlakeKernel(*paint.flakes(), normal, point.eye));
+    if (const auto& gloss = paint_of(point).gloss())
+        add_lobe(GlossKernel(*gloss, normal, point.eye), paint_of(point).gloss_share());
+    if (paint.flakes()) add_lobe(FlakeKernel(*paint.flakes(), normal, point.eye), Rgb(1));
     return brought;
 }
 
@@ -251,7 +270,7 @@ DirectLight Integrator::direct_light(const ShadingPoint& point) const {
 }
 
 Rgb Integrator::luminance(const ShadingPoint& point, const DirectLight& light) const {
-    const ClearCoat& base = paints_[point.place.paint].base();
+    const ClearCoat& base = paint_of(point).base();
     return lambert_luminance(base.inner_reflectance(point.place.normal.dot(point.eye)),
                              light.illuminance) +
            light.lobes;
@@ -264,11 +283,18 @@ void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
 }
 
 Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {
-    if (scene_.rig.ambient == Rgb(0)) return {};
-    const Paint& paint = paints_[point.place.paint];
+    const bool is_surrounded = environment() && environment()->spec().lights;
+    if (scene_.rig.ambient == Rgb(0) && !is_surrounded) return {};
+    const Paint& paint = paint_of(point);
     const double cosine = point.place.normal.dot(point.eye);
-    return even_luminance(scene_.rig.ambient) *
-           (paint.base().base_reflectance_diffuse(cosine) + paint.gloss_albedo(cosine));
+    const Rgb base = paint.base().base_reflectance_diffuse(cosine);
+    const Rgb lobes = paint.gloss_albedo(cosine);
+    Rgb sum = even_luminance(scene_.rig.ambient) * (base + lobes);
+    if (!is_surrounded) return sum;
+    sum += even_luminance(environment()->irradiance(point.place.normal)) * base;
+    if (lobes == Rgb(0)) return sum;
+    const Vec3 mirrored = reflect(-point.eye, point.place.normal);
+    return sum + environment()->blurred(mirrored, paint.lobe_width()) * lobes;
 }
 
 } // namespace keiko

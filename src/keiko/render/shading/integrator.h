@@ -9,6 +9,7 @@
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/render/shading/glass_loss.h"
+#include "keiko/render/shading/mapped_paint.h"
 #include "keiko/render/shading/occluded_visibility.h"
 #include "keiko/render/shading/paint.h"
 #include "keiko/render/shading/picture.h"
@@ -34,6 +35,8 @@ public:
 
     /// One sample a ray, in order, with all its light. Neighbouring rays should be adjacent.
     SampleBatch follow(std::span<const Ray> camera_rays) const;
+    /// follow() for rays that see what mirrors see: rows of tubes too, and the surroundings.
+    SampleBatch follow_mirrored(Rays rays) const;
     /// Samples of camera rays, one a ray, in order, without the light of the shading points.
     SampleBatch view(Rays camera_rays) const;
     /// Samples of the pixels of a grid, without the light of the shading points. Pixels with a ray
@@ -52,7 +55,7 @@ public:
     bool light_is_smooth() const;
     /// True if the paint at a shading point has lobes, whose light depends on the eye as well.
     bool has_lobes(const ShadingPoint& point) const {
-        const Paint& paint = paints_[point.place.paint];
+        const Paint& paint = paint_of(point);
         return paint.gloss() || paint.flakes();
     }
     /// Visibility of some of the lights from a shading point.
@@ -71,8 +74,8 @@ public:
     const std::optional<double>& white() const { return options_.white; }
     /// cd/m2 that a shading point's base and lobes reflect of the lamps' light to the viewer.
     Rgb luminance(const ShadingPoint& point, const DirectLight& light) const;
-    /// cd/m2 that a shading point's base and lobes reflect of uniform light from all sides to the
-    /// viewer.
+    /// cd/m2 that a shading point's base and lobes reflect of uniform light from all sides and of
+    /// the surroundings to the viewer.
     Rgb ambient_luminance(const ShadingPoint& point) const;
     /// Adds the luminance by `light` to the sample of a shading point.
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
@@ -137,6 +140,14 @@ private:
     std::vector<Rgb> left_by_glass(const ShadingPoint& point,
                                    std::span<const LightId> lights) const;
 
+    /// Paint of a shading point, with its maps.
+    const Paint& paint_of(const ShadingPoint& point) const {
+        return point.mapped ? point.mapped->paint : paints_[point.place.paint];
+    }
+    /// Turns the normals of hits on faces with maps. Returns those of all rays' hits before; none
+    /// if the scene has no maps.
+    std::vector<Vec3> bend(std::span<const Ray> rays, FirstHits& hits) const;
+
     FresnelTerm incidence(const Ray& ray, const Hit& hit, int depth) const;
     /// Fresnel terms of rays of one depth, computed consecutively, so that the latencies of roots
     /// and divisions overlap.
@@ -176,7 +187,8 @@ private:
     Onward shade(PathState path, const PathVertex& met, const VisibleFrom& shafts,
                  SampleBatch& view) const;
     /// The ways on from a hit.
-    Onward onward(const PathState& path, const PathVertex& met) const;
+    /// `mapped`: its paint if the face has maps, else null.
+    Onward onward(const PathState& path, const PathVertex& met, const MappedPaint* mapped) const;
     Onward through_pane(const PathState& path, const Paint& paint, double cosine) const;
     Onward through_solid(const PathState& path, const Paint& paint, double cosine) const;
     /// The path by mirror reflection of a share of the light, unless it is followed no further.
@@ -187,12 +199,24 @@ private:
     std::optional<PathState> passed(PathState path, const Rgb& share) const;
     /// The path with a share of its weight on a child of its branch, if the share counts.
     std::optional<PathState> onto(PathState path, const Rgb& share, std::uint64_t child) const;
+    /// The path with a share of its weight, if that counts.
+    std::optional<PathState> kept(PathState path, const Rgb& share) const;
     void record_aovs(const PathState& path, const PathVertex& met, PixelSample& sample) const;
     bool takes_light(std::uint32_t paint, std::uint64_t branch) const;
     ShadingPoint shading_point_at(const PathState& path, const PathVertex& met) const;
+    /// Adds the light of all shading points of a view to their samples.
+    SampleBatch lit(SampleBatch view) const;
+    /// The surroundings; null without any.
+    const Environment* environment() const {
+        return scene_.maps ? scene_.maps->environment() : nullptr;
+    }
+    /// True if rays that miss the scene show what depends on their direction.
+    bool sees_beyond() const { return !sky_.empty() || environment(); }
     /// cd/m2 of what a ray meets that misses the scene: the sky, and where it has none the
-    /// background or, of a ray that was mirrored or bent, the ambient light.
+    /// surroundings or else the background or, of a ray that was mirrored or bent, the ambient
+    /// light.
     Rgb beyond(const PathState& path, const Ray& ray) const;
+    Rgb behind_sky(const PathState& path, const Ray& ray) const;
     static void note_mirrored(const PathVertex& met, PixelSample& sample);
     void note_behind(const PathVertex& met, PixelSample& sample) const;
     void add_lights(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
@@ -204,6 +228,7 @@ private:
 
     const PictureScene& scene_;
     const PictureOptions& options_;
+    MappedHits maps_;
     RigPlanes planes_;
     RigAreas areas_;
     RigSky sky_;

@@ -1,5 +1,7 @@
 #include "keiko/render/shading/paint.h"
 
+#include <algorithm>
+
 namespace keiko {
 namespace {
 
@@ -33,10 +35,24 @@ std::shared_ptr<const AlbedoTable> table_of(const std::optional<Lobe>& lobe) {
 }
 
 /// Reflectance of the base; flakes take their share of the light first.
-Rgb base_of(const Material& material) {
+Rgb base_of(const Material& material, const Rgb& diffuse) {
     if (material.metal || material.glass) return {};
-    return material.flakes ? material.diffuse * (Rgb(1) - material.flakes->reflectance)
-                           : material.diffuse;
+    return material.flakes ? diffuse * (Rgb(1) - material.flakes->reflectance) : diffuse;
+}
+Rgb base_of(const Material& material) {
+    return base_of(material, material.diffuse);
+}
+
+/// A reflectance, whatever a map made of it.
+Rgb reflectance(const Rgb& color) {
+    const auto share = [](double x) { return std::clamp(x, 0.0, 1.0); };
+    return {share(color.r), share(color.g), share(color.b)};
+}
+
+/// Width of a lobe that kernels can integrate, by what scenes may state.
+double integrable_width(DistributionKind kind, double width) {
+    const bool exponent = kind == DistributionKind::phong || kind == DistributionKind::blinn;
+    return exponent ? std::clamp(width, 1.0, 1e6) : std::clamp(width, 0.005, 1.0);
 }
 
 ClearCoat coat_of(const Material& material, std::shared_ptr<const AlbedoTable> rough) {
@@ -58,13 +74,35 @@ Paint::Paint(const Material& material)
       base_(coat_of(material, gloss_albedo_)),
       takes_light_(gloss_ || flakes_ || base_of(material) != Rgb(0)) {}
 
+Paint Paint::varied(const Material& material, const MapValues& values) const {
+    Paint paint = *this;
+    if (takes_light_)
+        paint.base_ =
+            base_.with_base(base_of(material, reflectance(material.diffuse * values.diffuse)));
+    paint.gloss_share_ = values.gloss;
+    paint.passed_share_ = values.transmission;
+    if (gloss_) {
+        const auto& [kind, width, mode] = *material.roughness;
+        paint.gloss_->distribution = {kind, integrable_width(kind, width * values.roughness)};
+    }
+    return paint;
+}
+
 Rgb Paint::mirrored(double cosine) const {
-    return gloss_ ? Rgb() : mirror_(cosine);
+    return gloss_ ? Rgb() : mirror_(cosine) * gloss_share_;
+}
+
+double Paint::lobe_width() const {
+    double spread = 0;
+    if (gloss_) spread = gloss_->distribution.spread();
+    if (flakes_) spread = std::max(spread, flakes_->distribution.spread());
+    constexpr double widest = 2; // beyond, a square of directions stands for nothing
+    return std::min(2 * spread, widest);
 }
 
 Rgb Paint::gloss_albedo(double cosine) const {
     Rgb sum;
-    if (gloss_albedo_) sum += (*gloss_albedo_)(cosine);
+    if (gloss_albedo_) sum += gloss_share_ * (*gloss_albedo_)(cosine);
     if (flake_albedo_) sum += (*flake_albedo_)(cosine);
     return sum;
 }

@@ -2,6 +2,7 @@
 
 #include "keiko/light/luminance/clear_coat.h"
 #include "keiko/light/luminance/flake_kernel.h"
+#include "keiko/maps/surface_maps.h"
 #include "keiko/scene/material.h"
 
 #include <optional>
@@ -16,6 +17,9 @@ public:
     /// flakes.
     explicit Paint(const Material& material);
 
+    /// This paint of a material where maps vary it. The lobes of another width keep its albedo.
+    Paint varied(const Material& material, const MapValues& values) const;
+
     /// Share of the light that a smooth interface reflects at an angle to the normal of this
     /// cosine, 0 to 1; 0 for a rough one.
     Rgb mirrored(double cosine) const;
@@ -25,12 +29,18 @@ public:
     double refractive_index() const { return refractive_index_; }
     /// The base below its coat.
     const ClearCoat& base() const { return base_; }
+    /// Share of what the interface reflects that is kept: 1 unless a map says less.
+    const Rgb& gloss_share() const { return gloss_share_; }
+    /// Share of what passes glass that is kept: 1 unless a map says less.
+    const Rgb& passed_share() const { return passed_share_; }
     /// Lobe of a rough interface; empty for a smooth one.
     const std::optional<Gloss>& gloss() const { return gloss_; }
     /// Lobe of the flakes, if there are any.
     const std::optional<Flakes>& flakes() const { return flakes_; }
     /// True if it reflects any light other than sharply.
     bool takes_light() const { return takes_light_; }
+    /// Width in radians of a square of directions that stands for the widest lobe.
+    double lobe_width() const;
     /// Share of uniform light from all sides that the lobes reflect to a viewer under `cosine`.
     Rgb gloss_albedo(double cosine) const;
 
@@ -43,6 +53,7 @@ private:
     Reflectance mirror_;
     ClearCoat base_;
     bool takes_light_;
+    Rgb gloss_share_{1}, passed_share_{1};
 };
 
 } // namespace keiko

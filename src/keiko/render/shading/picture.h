@@ -15,6 +15,8 @@
 
 namespace KEIKO_API keiko {
 
+class SceneMaps;
+
 /// Scene of a picture; keeps references to everything.
 struct PictureScene {
     const Tracer& tracer;                ///< built with second_derivatives
@@ -23,6 +25,7 @@ struct PictureScene {
     Rgb background{0}; ///< cd/m2 behind the body, for camera rays; it is not reflected
     /// All of the model but glass, which dims light instead; without them nothing casts shadows.
     const Occluders* occluders = nullptr;
+    const SceneMaps* maps = nullptr; ///< of the materials, and the environment; null: none
 
     /// Tracer of what casts shadows.
     const Tracer& casting() const { return occluders ? occluders->tracer() : tracer; }

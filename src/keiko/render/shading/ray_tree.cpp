@@ -8,11 +8,20 @@
 
 namespace keiko {
 
-Integrator::Onward Integrator::onward(const PathState& path, const PathVertex& met) const {
+Integrator::Onward Integrator::onward(const PathState& path, const PathVertex& met,
+                                      const MappedPaint* mapped) const {
     const Paint& paint = paints_[paint_of_face_[met.hit->face]];
-    if (!paint.glass()) return {mirrored(path, met.incidence.mirrored), {}};
-    return paint.glass()->pane > 0 ? through_pane(path, paint, met.incidence.cosine)
-                                   : through_solid(path, paint, met.incidence.cosine);
+    const double cosine = met.incidence.cosine;
+    Onward onward;
+    if (!paint.glass())
+        onward.mirrored = mirrored(path, met.incidence.mirrored);
+    else
+        onward = paint.glass()->pane > 0 ? through_pane(path, paint, cosine)
+                                         : through_solid(path, paint, cosine);
+    if (!mapped) return onward;
+    if (onward.mirrored) onward.mirrored = kept(*onward.mirrored, mapped->paint.gloss_share());
+    if (onward.passed) onward.passed = kept(*onward.passed, mapped->paint.passed_share());
+    return onward;
 }
 
 Integrator::Onward Integrator::through_pane(const PathState& path, const Paint& paint,
@@ -61,8 +70,12 @@ std::optional<Integrator::PathState> Integrator::onto(PathState path, const Rgb&
                                                       std::uint64_t child) const {
     constexpr auto last = std::numeric_limits<decltype(path.branch)>::max();
     if (path.branch > (last - child) / 2) return {}; // after 64 surfaces
-    path.weight *= share;
     path.branch = 2 * path.branch + child;
+    return kept(path, share);
+}
+
+std::optional<Integrator::PathState> Integrator::kept(PathState path, const Rgb& share) const {
+    path.weight *= share;
     const double weight = max_channel(path.weight);
     return weight > 0 && weight >= options_.min_weight ? std::optional(path) : std::nullopt;
 }

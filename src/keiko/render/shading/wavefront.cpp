@@ -53,6 +53,18 @@ SampleBatch Integrator::view(Rays camera_rays) const {
     return view;
 }
 
+SampleBatch Integrator::follow_mirrored(Rays rays) const {
+    SampleBatch view;
+    view.samples.resize(rays.size());
+    RayQueue wave;
+    wave.reserve(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i)
+        wave.paths.push_back({.sample = i, .weight = Rgb(1), .straight = false});
+    wave.rays = std::move(rays);
+    follow(std::move(wave), 1, view);
+    return lit(std::move(view));
+}
+
 PixelSample Integrator::unseen() const {
     PixelSample unseen;
     unseen.luminance = scene_.background;
@@ -82,6 +94,7 @@ void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> 
                                RayQueue& passed) const {
     const Rays rays = grid.rays(places);
     FirstHits hits = scene_.tracer.first_hits(rays);
+    const std::vector<Vec3> unbent = bend(rays, hits);
     const VolumetricShadows shadows = volumetric_shadows(legs_of(rays, hits), 0);
     const VisibleFrom shafts = shadows.visible();
     const std::vector<FresnelTerm> incidences = this->incidences(rays, hits, 0);
@@ -94,6 +107,7 @@ void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> 
         const Hit* hit = hits[i];
         sample.luminance = Rgb();
         if (keeps_hits_) sample.hit = hit;
+        if (!unbent.empty()) sample.unbent = unbent[i];
         const PathState path{.sample = places[i].number, .weight = Rgb(1)};
         const Onward onward = shade(path, {rays[i], hit, no_mirror, incidences[i]}, shafts, view);
         if (onward.passed) passed.add_passed(*onward.passed, rays[i], *hit, onward.eta);
@@ -108,6 +122,7 @@ void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> 
 
 void Integrator::trace_reflections(const RayQueue& mirrored, ReflectionBuffer& mirrors) const {
     FirstHits hits = scene_.tracer.first_hits(mirrored.rays, mirrored_detail());
+    bend(mirrored.rays, hits);
     for (std::size_t i = 0; i < mirrored.paths.size(); ++i) {
         const PathState& path = mirrored.paths[i];
         mirrors.grid.set(path.sample, mirrored.rays[i]);
@@ -129,7 +144,7 @@ Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
         if (!goes_on) continue;
         PixelMirror mirror;
         stripes.find(place, hit ? hit->t : std::numeric_limits<double>::infinity(), mirror);
-        const bool reads_ray = hit || scene_.rig.medium || !areas_.empty() || !sky_.empty();
+        const bool reads_ray = hit || scene_.rig.medium || !areas_.empty() || sees_beyond();
         if (reads_ray) ray = mirrors.grid.ray(place);
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
         const Onward onward =
@@ -163,6 +178,10 @@ Integrator::RayQueue Integrator::mirrored_again(std::span<const PathState> paths
 void Integrator::follow(RayQueue wave, int depth, SampleBatch& view) const {
     for (; !wave.rays.empty(); ++depth) {
         FirstHits hits = scene_.tracer.first_hits(wave.rays);
+        const std::vector<Vec3> unbent = bend(wave.rays, hits);
+        if (depth == 0 && !unbent.empty())
+            for (std::size_t i = 0; i < unbent.size(); ++i)
+                view.samples[wave.paths[i].sample].unbent = unbent[i];
         const std::size_t points = view.points.size();
         wave = shade_hits(wave, hits, depth, view);
         sort_by_sample(std::span(view.points).subspan(points), view.samples.size());
@@ -195,6 +214,17 @@ Integrator::RayQueue Integrator::shade_hits(const RayQueue& wave, const FirstHit
     mirroring.finish();
     mirrored.append(passed);
     return mirrored;
+}
+
+std::vector<Vec3> Integrator::bend(std::span<const Ray> rays, FirstHits& hits) const {
+    if (!scene_.maps) return {};
+    std::vector<Vec3> unbent(rays.size(), Vec3(0));
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!hits[i]) continue;
+        unbent[i] = hits[i]->normal;
+        maps_.bend(rays[i], hits.hits[hits.of_ray[i]]);
+    }
+    return unbent;
 }
 
 std::vector<Segment> Integrator::legs_of(std::span<const Ray> rays, const FirstHits& hits) const {

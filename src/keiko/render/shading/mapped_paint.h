@@ -1,0 +1,50 @@
+#pragma once
+
+#include "keiko/geometry/rays/ray.h"
+#include "keiko/intersect/hit/hit.h"
+#include "keiko/maps/scene_maps.h"
+#include "keiko/render/reflection/shading_point.h"
+#include "keiko/render/shading/paint.h"
+
+#include <memory>
+#include <vector>
+
+namespace keiko {
+
+/// Paint of one place of a material with maps.
+struct MappedPaint {
+    Paint paint;
+    /// True if maps vary its normal or its lobes. Its light is not that between its neighbours.
+    bool uneven = false;
+};
+
+/// True if the light of a shading point must not be interpolated.
+inline bool is_uneven(const ShadingPoint& point) {
+    return point.mapped && point.mapped->uneven;
+}
+
+/// The maps of a picture's scene at the hits of its rays.
+class MappedHits {
+public:
+    /// Maps of a scene, or none where `maps` is null. Keeps references to all.
+    MappedHits(const SceneMaps* maps, std::span<const Material> materials)
+        : maps_(maps), materials_(materials) {}
+
+    /// True if the face has maps.
+    bool has(std::uint32_t face) const { return maps_ && maps_->of_face(face); }
+    /// Paint at a ray's hit on a face with maps; `base` is that of its material.
+    std::shared_ptr<const MappedPaint> paint(const Paint& base, const Ray& ray,
+                                             const Hit& hit) const;
+    /// Turns the normal of a hit on a face with maps, and adds the curvature of heights. The normal
+    /// stays on the side of the ray, and what it mirrors above the surface: heights that would not
+    /// allow it count less.
+    void bend(const Ray& ray, Hit& hit) const;
+
+private:
+    MapPlace place_of(const Ray& ray, const Hit& hit) const;
+
+    const SceneMaps* maps_;
+    std::span<const Material> materials_;
+};
+
+} // namespace keiko
