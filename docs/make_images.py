@@ -44,6 +44,8 @@ SCENES = {
     "glass": ("glass-scene", ("--shadows",), (1200, 400)),
     "hood": ("hood-scene", (), (1200, 560)),
     "hood-anaglyph": ("hood-scene", ("--stereo", "anaglyph"), (960, 448)),
+    "leather-and-marble": ("leather-and-marble-scene", SHADED, (960, 430)),
+    "orange-peel": ("orange-peel-scene", (), (960, 540)),
     "lamps-in-a-row": ("lamps-in-a-row-scene", SHADED, (640, 360)),
     "panels-in-fog": ("panels-in-fog-scene", SHADED, (640, 360)),
     "overcast": ("overcast-scene", ("--tone", "reinhard"), (960, 540)),
