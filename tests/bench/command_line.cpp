@@ -89,6 +89,19 @@ void add_penumbra(CLI::App& app, PenumbraOptions& options) {
     add_markdown(*penumbra, options.markdown);
 }
 
+void add_panels(CLI::App& app, PanelOptions& options) {
+    CLI::App* panels = app.add_subcommand(
+        "panels", "light of panels by visible lines beside stratified sampling at equal error");
+    panels->add_option("--scene", options.scenes, "scene names or model files [hood, concept-car]");
+    panels->add_option("--points", options.points, "lit points of each scene")
+        ->check(CLI::Range(10, 10000000))
+        ->capture_default_str();
+    panels->add_option("--width", options.width, "of the pictures, pixels")
+        ->check(CLI::Range(16, 16384))
+        ->capture_default_str();
+    add_markdown(*panels, options.markdown);
+}
+
 void add_stripes(CLI::App& app, StripeOptions& options) {
     CLI::App* stripes = app.add_subcommand(
         "stripes", "stripes from one ray a pixel against 1024 rays and supersampling");
@@ -133,6 +146,7 @@ Command parse_command_line(int argc, char** argv) {
     add_lights(app, command.lights);
     add_shafts(app, command.shafts);
     add_penumbra(app, command.penumbra);
+    add_panels(app, command.panels);
     add_stripes(app, command.stripes);
     add_frames(app, command.frames);
     add_inspect(app, command.inspect);
@@ -159,6 +173,7 @@ Command parse_command_line(int argc, char** argv) {
                     : app.got_subcommand("lights")   ? Group::lights
                     : app.got_subcommand("shafts")   ? Group::shafts
                     : app.got_subcommand("penumbra") ? Group::penumbra
+                    : app.got_subcommand("panels")   ? Group::panels
                     : app.got_subcommand("stripes")  ? Group::stripes
                     : app.got_subcommand("frames")   ? Group::frames
                     : app.got_subcommand("inspect")  ? Group::inspect

@@ -3,6 +3,7 @@
 #include "tests/bench/frame_benchmark.h"
 #include "tests/bench/inspect_benchmark.h"
 #include "tests/bench/load_benchmark.h"
+#include "tests/bench/panel_benchmark.h"
 #include "tests/bench/penumbra_benchmark.h"
 #include "tests/bench/stripe_benchmark.h"
 
@@ -39,7 +40,19 @@ struct ShaftsOptions {
     std::filesystem::path markdown{}; ///< page; empty: none
 };
 
-enum class Group { trace, picture, load, lights, shafts, penumbra, stripes, frames, inspect, help };
+enum class Group {
+    trace,
+    picture,
+    load,
+    lights,
+    shafts,
+    penumbra,
+    panels,
+    stripes,
+    frames,
+    inspect,
+    help
+};
 
 struct Command {
     Group group = Group::trace;
@@ -49,6 +62,7 @@ struct Command {
     LightsOptions lights{};
     ShaftsOptions shafts{};
     PenumbraOptions penumbra{};
+    PanelOptions panels{};
     StripeOptions stripes{};
     FrameOptions frames{};
     InspectBenchmarkOptions inspect{};

@@ -71,6 +71,12 @@ void penumbra(const PenumbraOptions& options) {
         update_page(options.markdown, options.probes > 0 ? "wrong" : "penumbra", page);
 }
 
+void panels(const PanelOptions& options) {
+    const Table table = run_panel_benchmark(options);
+    print(text_of(table));
+    if (!options.markdown.empty()) update_page(options.markdown, "panels", markdown_of(table));
+}
+
 void stripes(const StripeOptions& options) {
     const Table table = run_stripe_benchmark(options);
     print(text_of(table));
@@ -113,6 +119,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::penumbra:
                 penumbra(command.penumbra);
+                return 0;
+            case Group::panels:
+                panels(command.panels);
                 return 0;
             case Group::stripes:
                 stripes(command.stripes);

@@ -55,6 +55,10 @@ Shares PenumbraPicture::render(Emitter emitter, double light_error) const {
     row.luminance = Rgb(1);
     if (emitter == Emitter::axis) row.diffuse = TubeModel::line;
     rig.sources = {row};
+    return render(rig, mean_unhidden(scene_, row, emitter), light_error);
+}
+
+Shares PenumbraPicture::render(const LightRig& rig, double mean, double light_error) const {
     const std::vector<Material> materials(scene_.faces, matte());
     const PictureScene scene{scene_.tracer, materials, rig, Rgb(0), &scene_.occluders};
     const PictureOptions options{
@@ -63,7 +67,6 @@ Shares PenumbraPicture::render(Emitter emitter, double light_error) const {
     const double seconds =
         process_seconds([&] { film = keiko::render(scene, camera_, options, one_thread); });
     Shares shares;
-    const double mean = mean_unhidden(scene_, row, emitter);
     for (const auto& [x, y] : pixels_)
         shares.values.push_back(double(*film.aovs.at(Aov::illuminance).pixel(x, y)) / mean);
     shares.seconds = seconds * static_cast<double>(pixels_.size()) /

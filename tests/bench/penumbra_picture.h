@@ -1,5 +1,7 @@
 #pragma once
 
+#include "keiko/light/rig/light_rig.h"
+
 #include "tests/bench/penumbra_methods.h"
 
 #include <array>
@@ -18,6 +20,8 @@ public:
     /// linear to within `light_error`. The seconds are their share of the processor time, camera
     /// rays included. Axis or tube.
     Shares render(Emitter emitter, double light_error) const;
+    /// Shares of `mean` lx under any rig, in the same way.
+    Shares render(const LightRig& rig, double mean, double light_error) const;
 
 private:
     const PenumbraScene& scene_;
