@@ -125,6 +125,21 @@ TEST(MapPicture, GlossMapMultipliesTheMirrorImage) {
     EXPECT_GT(largest, 100);
 }
 
+TEST(MapPicture, TransmissionMapMultipliesWhatPassesGlass) {
+    MaterialMap dim = map_of(MappedQuantity::transmission, TextureKind::checker, 1e6);
+    dim.low = dim.high = Rgb(0.5, 0.25, 0);
+    MappedStage stage(flat_plate(), {dim});
+    for (Material& material : stage.materials)
+        material.diffuse = Rgb(0), material.glass = Glass{.pane = 4};
+    stage.rig.sources.clear();
+    const Film mapped = stage.picture(), plain = stage.render();
+    const float *a = mapped.color.pixel(48, 27), *b = plain.color.pixel(48, 27);
+    ASSERT_GT(b[0], 5.0F); // of the background, which is 7
+    EXPECT_NEAR(static_cast<double>(a[0] / b[0]), 0.5, 1e-6);
+    EXPECT_NEAR(static_cast<double>(a[1] / b[1]), 0.25, 1e-6);
+    EXPECT_EQ(a[2], 0.0F);
+}
+
 TEST(MapPicture, MapsWithoutEffectLeaveThePicture) {
     MaterialMap flat = map_of(MappedQuantity::bump, TextureKind::noise, 50);
     flat.high = Rgb(0);
