@@ -86,7 +86,8 @@ double Texture::procedure(const TexturePlace& place) const {
 }
 
 HeightJet Texture::height(const TextureFrame& frame) const {
-    const auto& [place, along, gradient] = frame;
+    const TexturePlace& place = frame.place;
+    const std::array<Vec3, 2>&along = frame.along, &gradient = frame.gradient;
     if (peel_) {
         const HeightJet jet = peel_->height(place);
         return in_world(jet.value,
