@@ -7,6 +7,10 @@ from keiko_process import KeikoTest, surface
 
 SVG = "{http://www.w3.org/2000/svg}"
 BLOCK = surface("bored-block.step")
+VIEWS = [f"{high}{side}" for high in ("", "high-", "standing-")
+         for side in ("front", "rear", "left", "right", "three-quarter-front", "three-quarter-rear",
+                      "three-quarter-front-left")]
+MANY = [word for view in VIEWS for word in ("--view", view)]
 
 
 class Draw(KeikoTest):
@@ -66,6 +70,24 @@ luminance = 9000
         self.assertIn("1", texts)
         self.assertTrue([text for text in texts if text.startswith("1  ") and "limit" in text], texts)
 
+    def test_perspective_has_no_scale(self):
+        texts = self.texts(BLOCK, "--perspective")
+        self.assertFalse([t for t in texts if "scale 1" in t or ":1" in t or "first-angle" in t or t.endswith(" mm")])
+
+    def test_long_lists_say_what_they_leave_out(self):
+        texts = self.texts(BLOCK, "--findings", "--view", "top")
+        marks = 0
+        while str(marks + 1) in texts:
+            marks += 1
+        listed = [t for t in texts if re.match(r"\d+  \w", t)]
+        more, = [t for t in texts if t.startswith("and ")]
+        self.assertEqual((marks, len(listed) + int(more.split()[1])), (48, 48), texts)
+
+    def test_the_rim_of_a_bore_seen_across_is_an_outline_all_along(self):
+        """One of its faces is seen edge-on there."""
+        layers = self.layers(BLOCK, "--view", "left", "--hidden", "dash")
+        self.assertNotIn("creases", layers)
+
     def test_dxf_and_pdf_have_the_same_lines(self):
         for name in ("sheet.svg", "sheet.dxf", "sheet.pdf"):
             self.succeed("draw", BLOCK, "-o", name, "-q")
@@ -88,6 +110,9 @@ luminance = 9000
                 ((BLOCK, "-o", "a.svg", "--section", "w=3"), "w=3"),
                 ((BLOCK, "-o", "a.svg", "--without", "everything"), "--without"),
                 ((BLOCK, "-o", "a.svg", "--preset", "class-a-outer"), "--preset"),
+                ((BLOCK, "-o", "a.svg", "--rig", surface("../lightrigs/one-panel.toml")), "no rows of tubes"),
+                ((BLOCK, "-o", "a.svg", "--wireframe", "--hidden", "dash"), "--hidden"),
+                ((BLOCK, "-o", "a.svg", "--paper", "A4", *MANY), "paper: has no room for 21 views"),
                 ((BLOCK, "-o", "a.svg", "--paper", "A9"), "--paper")):
             run = self.keiko("draw", *arguments)
             self.assertEqual(run.returncode, 2, arguments)

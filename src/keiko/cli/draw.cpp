@@ -139,7 +139,8 @@ void add_draw(CLI::App& app, Session& session) {
         ->check(CLI::IsMember({"remove", "dash"}))
         ->option_text("NAME")
         ->capture_default_str();
-    command.add_flag("--wireframe", arguments->wireframe, "all lines, as if nothing hid them");
+    command.add_flag("--wireframe", arguments->wireframe, "all lines, as if nothing hid them")
+        ->excludes("--hidden");
     add_curve_options(command, *arguments);
     command.add_option("--paper", arguments->paper, "A4, A3, A2, A1 or A0, wider than high")
         ->check(CLI::IsMember({"A4", "A3", "A2", "A1", "A0"}))

@@ -80,8 +80,8 @@ void add_panorama(CLI::App& app, Session& session) {
                      "angle to the zenith");
     command.footer(
         "The picture holds lamps and bodies as they are seen from that place alone: mirrors that "
-        "show it as [environment] of a scene know no parallax, and bodies mirror each other in it "
-        "once.\n"
+        "show it as [environment] of a scene know no parallax. A body that will show it is to be "
+        "left out of the scene, or it mirrors itself from afar.\n"
         "Example: keiko panorama studio-scene.toml --at 0,0,800 -o studio.exr");
     session.add_command(command, [arguments](const Job& job) { return panorama(*arguments, job); });
 }

@@ -90,17 +90,20 @@ void print_summary(const PlaceResult& result, const std::string& view,
     const std::size_t rows = placement.planes.size();
     const StripeStatistics& stripes = placement.stripes;
     const double scale = 540.0 / result.views.front().camera.height;
-    std::array<char, 160> text{};
-    std::snprintf(
-        text.data(), text.size(),
-        "%zu %s of lamps %s %.1f %% of the picture, stripes %.0f px apart (%.0f to %.0f) in one "
-        "540 high, %.0f %% of them as wanted",
-        rows, rows == 1 ? "row" : "rows", rows == 1 ? "covers" : "cover", 100 * placement.coverage,
-        scale * stripes.median, scale * stripes.narrow, scale * stripes.wide,
-        100 * stripes.in_range);
+    std::array<char, 80> reach{};
+    std::snprintf(reach.data(), reach.size(), "%zu %s of lamps %s %.1f %% of the picture", rows,
+                  rows == 1 ? "row" : "rows", rows == 1 ? "covers" : "cover",
+                  100 * placement.coverage);
+    std::array<char, 120> spacing{};
+    if (placement.kind != LampKind::panel)
+        std::snprintf(spacing.data(), spacing.size(),
+                      ", stripes %.0f px apart (%.0f to %.0f) in one 540 high, %.0f %% of them as "
+                      "wanted",
+                      scale * stripes.median, scale * stripes.narrow, scale * stripes.wide,
+                      100 * stripes.in_range);
     TextLines lines;
     std::ostream& line = lines.line();
-    line << view << (view.empty() ? "" : ": ") << text.data();
+    line << view << (view.empty() ? "" : ": ") << reach.data() << spacing.data();
     if (!output.empty()) line << "; see " << output.string();
     print(lines.text());
 }

@@ -45,7 +45,7 @@ private:
 constexpr int exit_pass = 0;          ///< done, and nothing fails
 constexpr int exit_findings = 1;      ///< done, and what was tested fails or differs
 constexpr int exit_error = 2;         ///< an error, which stderr states
-constexpr int exit_interrupted = 130; ///< stopped by SIGINT or SIGTERM
+constexpr int exit_interrupted = 130; ///< stopped by SIGINT, SIGTERM or SIGHUP
 
 /// Accepts an option's number from `low` to `high`; NaN and infinity are rejected.
 CLI::Validator number_between(double low, double high);
@@ -55,11 +55,11 @@ CLI::Validator not_empty();
 /// Name of the user who runs the program, or his number.
 std::string login_name();
 
-/// Turns Ctrl-C (SIGINT) and SIGTERM into a stop request; a second one ends the process at once.
-/// Construct it before any other thread exists: the signals are blocked for all of them.
+/// Turns Ctrl-C (SIGINT), SIGTERM and SIGHUP into a stop request; a second one ends the process at
+/// once. Construct it before any other thread exists: the signals are blocked for all of them.
 class Interrupt {
 public:
-    /// Blocks both signals for the calling thread and starts the thread that waits for them.
+    /// Blocks the signals for the calling thread and starts the thread that waits for them.
     Interrupt();
 
     /// Token of the stop request.

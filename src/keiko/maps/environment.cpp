@@ -74,6 +74,9 @@ Environment::Environment(const EnvironmentSpec& spec)
       cosine_(std::cos(spec.azimuth * std::numbers::pi / 180)),
       sine_(std::sin(spec.azimuth * std::numbers::pi / 180)) {
     const Image image = read_linear_image(spec.file, !is_linear(spec.file));
+    const bool is_strip = image.width == 6 * image.height || image.height == 6 * image.width;
+    if (is_strip && spec.layout != EnvironmentSpec::Layout::cube)
+        throw Error(spec.file.string(), "", "is a cube map of six squares: say layout = \"cube\"");
     if (*std::min_element(image.values.begin(), image.values.end()) < 0)
         throw Error(spec.file.string(), "", "a pixel is negative");
     if (spec.layout == EnvironmentSpec::Layout::cube)
@@ -124,8 +127,17 @@ Rgb Environment::luminance(const Vec3& direction, const Vec3& dx, const Vec3& dy
 }
 
 Rgb Environment::blurred(const Vec3& direction, double width) const {
+    // A single look-up would smear a panorama about its poles and a cube map at its borders.
+    constexpr int cells = 5;
     const auto [x, y] = AxesAcross(direction, direction.z < 0 ? -1 : 1);
-    return luminance(direction, x * width, y * width);
+    const double cell = width / cells;
+    Rgb sum;
+    for (int i = 0; i < cells; ++i)
+        for (int k = 0; k < cells; ++k) {
+            const Vec3 off = (x * (i - cells / 2) + y * (k - cells / 2)) * cell;
+            sum += luminance(direction + off, x * cell, y * cell);
+        }
+    return sum / (cells * cells);
 }
 
 Rgb Environment::irradiance(const Vec3& normal) const {

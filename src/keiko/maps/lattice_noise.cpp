@@ -50,6 +50,9 @@ std::int32_t lattice_cell(double coordinate) {
 }
 
 double lattice_noise(const Vec3& place, std::uint32_t seed) {
+    constexpr double farthest = 2e9; // beyond, cells have no index
+    const Vec3 size = magnitudes(place);
+    if (!(std::max({size.x, size.y, size.z}) < farthest)) return 0;
     const std::int32_t i = lattice_cell(place.x), j = lattice_cell(place.y);
     const std::int32_t k = lattice_cell(place.z);
     const double s = quintic(place.x - i), t = quintic(place.y - j), r = quintic(place.z - k);

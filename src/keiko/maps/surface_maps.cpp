@@ -75,8 +75,20 @@ bool SurfaceMaps::drives(MappedQuantity quantity) const {
 double SurfaceMaps::share(const Prepared& prepared, const MapPlace& place) {
     const auto& [map, to_model, texture] = prepared;
     if (!map.region) return map.factor;
-    const ProjectedPlace at = on_projection(map.region->projection, to_model, place);
-    return map.factor * polygon_coverage(map.region->corners, on_projection_frame(at, place).place);
+    const MapProjection& projection = map.region->projection;
+    const ProjectedPlace at = on_projection(projection, to_model, place);
+    TexturePlace shown = on_projection_frame(at, place).place;
+    double covered = polygon_coverage(map.region->corners, shown);
+    if (projection.kind != ProjectionKind::cylindrical &&
+        projection.kind != ProjectionKind::spherical)
+        return map.factor * covered;
+    // A pixel at the seam, or a region across it, is a turn away as well.
+    const double turn = projection.scale.x, u = shown.at.x;
+    for (const double by : {-turn, turn}) {
+        shown.at.x = u + by;
+        covered += polygon_coverage(map.region->corners, shown);
+    }
+    return map.factor * std::min(covered, 1.0);
 }
 
 /// Factor of the quantity that a map drives.

@@ -52,7 +52,7 @@ py::dict compare(const py::object& before, const py::object& after, const py::di
     const ChosenRig lamps(given["rig"]);
     CompareBodiesOptions options;
     options.preset = preset_by_name_or_file(taken<std::string>(given, "preset"));
-    options.join = require_join(taken<double>(given, "join")),
+    options.join = require_join(taken<double>(given, "join"));
     options.align = taken<bool>(given, "align");
     options.scope = scope_of(given), options.views = views_of(given, lamps);
     return bytes_of(run({progress, threads}, [&](const Job& job) {

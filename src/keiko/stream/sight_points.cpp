@@ -3,11 +3,13 @@
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/luminance_along.h"
+#include "keiko/light/sky/sky_scattering.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/stream/hit_columns.h"
 #include "keiko/stream/source_columns.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -27,6 +29,8 @@ void append_field(std::string& row, double number) {
     row += ',';
 }
 
+constexpr double mm_per_metre = 1000;
+
 /// A scene with its fog, prepared once for all eyes.
 class Lookout {
 public:
@@ -35,7 +39,6 @@ public:
           limits_(limits),
           rig_(*scene.rig),
           medium_(*rig_.medium),
-          horizon_(luminance(medium_.ambient)),
           picture_(scene.picture(rig_)),
           options_(picture_options(scene)),
           integrator_(picture_, options_, std::nullopt, job) {}
@@ -88,6 +91,24 @@ private:
         return {far, passed, (passed > 0 ? -std::log(passed) : luminance(depth)) / far};
     }
 
+    /// Luminance of an infinite depth of the fog in a direction, cd/m2: its ambient light, and that
+    /// of open skies which it scatters, as if it were as thick everywhere as at the eye.
+    double horizon(const Ray& eye) const {
+        Medium even = medium_;
+        even.extinction = extinction_at(medium_, eye.origin), even.density = HomogeneousDensity{};
+        constexpr double depth = 40; // leaves 4e-18
+        const double thinnest = std::min({even.extinction.r, even.extinction.g, even.extinction.b});
+        Rgb sum = even.ambient;
+        if (!(thinnest > 0)) return luminance(sum);
+        const Vec3 way = eye.direction.normalized() * (depth / thinnest * mm_per_metre);
+        const Segment sight{eye.origin, eye.origin + way};
+        for (const LightSource& source : rig_.sources)
+            if (const auto* sky = std::get_if<SkyLight>(&source); sky && sky->windows.empty())
+                sum +=
+                    scattered_light(AttenuatedRay(even, sight), *sky, picture_scattering_tolerance);
+        return luminance(sum);
+    }
+
     bool hidden(const Vec3& eye, const Vec3& place) const {
         if (!scene_.occluders) return false;
         Ray sight;
@@ -117,13 +138,14 @@ private:
     }
 
     void append_object(std::string& text, const Ray& eye, const Hit* hit, double near) const {
-        if (!hit || !(horizon_ > 0)) {
+        const double horizon = hit ? this->horizon(eye) : 0;
+        if (!(horizon > 0)) {
             if (hit) append_field(text, way(eye.origin, hit->position).metres);
             text += hit ? ",,," : ",,,,";
             return;
         }
         const Way sight = way(eye.origin, hit->position);
-        const double contrast = luminance_contrast(near, horizon_);
+        const double contrast = luminance_contrast(near, horizon);
         append_field(text, sight.metres);
         append_field(text, contrast);
         append_field(text, contrast * sight.passed);
@@ -165,7 +187,6 @@ private:
     const SightLimits limits_;
     const LightRig& rig_;
     const Medium& medium_;
-    double horizon_; ///< cd/m2 of an infinite depth of the fog
     PictureScene picture_;
     PictureOptions options_;
     Integrator integrator_;

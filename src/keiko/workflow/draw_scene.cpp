@@ -57,6 +57,13 @@ std::vector<std::string> numbered_list(std::span<const Check> findings) {
     return lines;
 }
 
+std::vector<CPlane> rows_of(const LightRig& rig) {
+    std::vector<CPlane> rows;
+    for (const LightSource& source : rig.sources)
+        if (const auto* row = std::get_if<CPlane>(&source)) rows.push_back(*row);
+    return rows;
+}
+
 /// One view on its way to the sheet.
 class ViewDrawer {
 public:
@@ -91,9 +98,7 @@ private:
         SurfaceLineOptions search;
         search.look = options_.look;
         search.lines.chord_error = body_.chord_error();
-        std::vector<CPlane> planes;
-        for (const LightSource& source : options_.rig->sources)
-            if (const auto* plane = std::get_if<CPlane>(&source)) planes.push_back(*plane);
+        const std::vector<CPlane> planes = rows_of(*options_.rig);
         std::vector<ModelCurve> curves;
         for (const SurfaceLine& line :
              surface_lines(scene_.model, scene_.seen(), planes, camera, search, job)) {
@@ -148,6 +153,8 @@ Vec2 paper_size(std::string_view name) {
 }
 
 Sheet draw_scene(const Scene& scene, const DrawOptions& options, const Job& job) {
+    if (options.rig && rows_of(*options.rig).empty())
+        throw Error("", "rig", "it has no rows of tubes, whose lines could be drawn");
     const bool three = options.views.empty();
     const std::vector<NamedView> views =
         choose_views(scene, three ? three_views : options.views, 1, job);
@@ -171,11 +178,12 @@ Sheet draw_scene(const Scene& scene, const DrawOptions& options, const Job& job)
         drawn.push_back(drawer.run(view, others, findings, steps.next(drawing, 2, view.name)));
         if (!options.perspective) add_dimensions(drawn.back(), view.camera, box);
     }
-    if (three) drawn[1].height = drawn[2].width = std::nullopt; // as in the first view
+    if (three && !options.perspective)
+        drawn[1].height = drawn[2].width = std::nullopt; // as in the first view
     SheetOptions layout;
     layout.paper = options.paper;
     layout.dash_hidden = options.hidden == HiddenLines::dash;
-    layout.three_views = three;
+    layout.three_views = three && !options.perspective;
     layout.list = numbered_list(findings);
     layout.title = options.title.empty() ? names_of(scene.inputs) : options.title;
     return laid_out(drawn, layout);

@@ -153,14 +153,26 @@ std::vector<InputFile> inputs_of(const Scene& scene, const InspectOptions& optio
     return input_files(inputs);
 }
 
+bool is_dark(const LightRig& rig) {
+    return rig.sources.empty() && rig.ambient == Rgb(0);
+}
+
 /// The lamps of an inspection: given, of the scene, or placed.
 void choose_rig(const Scene& scene, const InspectOptions& options, std::span<const NamedView> views,
                 InspectResult& result, const Job& job) {
     PlacementOptions placing = options.placement;
-    if (!options.rig && !scene.rig)
+    // Surroundings light a scene, but reflection lines need lamps.
+    const bool places = !options.rig && (!scene.rig || is_dark(*scene.rig));
+    if (places)
         placing.mirror =
             placement_mirror(scene.model, cameras_of(views), placing, options.symmetry, job);
-    ChosenLights lights = choose_lights(scene, options.rig, views, placing, job);
+    ChosenLights lights;
+    if (places) {
+        lights.placement = place_lamps(scene.tracer, scene.model, cameras_of(views), placing, job);
+        lights.rig = lights.placement->rig;
+    } else {
+        lights = choose_lights(scene, options.rig, views, placing, job);
+    }
     result.rig = std::move(lights.rig);
     if (lights.placement) result.report.coverage = summary_of(scene.model, *lights.placement);
 }

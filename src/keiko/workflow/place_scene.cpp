@@ -4,6 +4,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/compare/shape/symmetry.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/maps/scene_maps.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/placement/plane_frame.h"
 #include "keiko/report/json/placement_json.h"
@@ -110,10 +111,27 @@ std::optional<MirrorPlane> placement_mirror(const SurfaceModel& model,
     return std::nullopt;
 }
 
+namespace {
+
+/// Throws Error for lamps with a sky in a scene with other surroundings.
+void require_no_second_sky(const Scene& scene, const LightRig& rig,
+                           const std::filesystem::path& file) {
+    if (!scene.maps || !scene.maps->environment()) return;
+    for (const LightSource& source : rig.sources)
+        if (std::holds_alternative<SkyLight>(source))
+            throw Error(file.string(), "sky", "is hidden by the scene's [environment]");
+}
+
+} // namespace
+
 ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesystem::path>& rig,
                            std::span<const NamedView> views, const PlacementOptions& options,
                            const Job& job) {
-    if (rig) return {read_rig(*rig)};
+    if (rig) {
+        LightRig lamps = read_rig(*rig);
+        require_no_second_sky(scene, lamps, *rig);
+        return {std::move(lamps)};
+    }
     if (scene.rig) return {*scene.rig};
     Placement placement = place_lamps(scene.tracer, scene.model, cameras_of(views), options, job);
     return {placement.rig, std::move(placement)};

@@ -196,6 +196,28 @@ TEST(Environment, UniformLightIsUniform) {
     EXPECT_LT(sky.low_order_error(), 5e-3);
 }
 
+/// A ceiling that fills the square of directions has its own luminance in the mean, wherever the
+/// square lies about the zenith, in which all columns of a panorama meet.
+TEST(Environment, BlurKnowsNoPoles) {
+    const PictureFile file(256, 128, [](const Vec2& at) { return at.y < 1.0 / 3 ? 1.0 : 0.0; });
+    const Environment ceiling({.file = file.path()});
+    for (const double degrees : {0.0, 0.1, 1.0, 5.0, 8.0, 15.0, 30.0})
+        for (const double turn : {0.0, 0.7, 2.0, 4.0}) {
+            const double theta = degrees * pi / 180;
+            const Vec3 w(std::sin(theta) * std::cos(turn), std::sin(theta) * std::sin(turn),
+                         std::cos(theta));
+            for (const double width : {0.05, 0.2, 0.4})
+                EXPECT_NEAR(ceiling.blurred(w, width).g, 1, 0.05) << degrees << " " << turn;
+        }
+    EXPECT_NEAR(ceiling.blurred(Vec3(std::sin(pi / 3), 0, std::cos(pi / 3)), 0.2).g, 0.5, 0.1);
+}
+
+TEST(Environment, RefusesACubeThatIsNotSaidToBeOne) {
+    const PictureFile file(96, 16, [](const Vec2&) { return 2.0; });
+    EXPECT_THROW(Environment({.file = file.path()}), Error);
+    EXPECT_NO_THROW(Environment({.file = file.path(), .layout = EnvironmentSpec::Layout::cube}));
+}
+
 /// Blocks of texels stand for those of pictures that are larger than need be.
 TEST(Environment, LargePicturesLightAsSmallOnes) {
     const auto luminance = [](const Vec2& at) {

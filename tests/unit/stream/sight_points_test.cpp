@@ -118,6 +118,20 @@ TEST(SightPoints, ContrastOfAWallIsThatOfItsLuminance) {
     EXPECT_EQ(row.size(), 4U);
 }
 
+/// Uniform haze scatters half of a uniform sky to each side, times its albedo.
+TEST(SightPoints, HorizonHasTheLightOfTheSkyInIt) {
+    constexpr double above = 1000; // cd/m2
+    LightRig rig;
+    rig.sources = {SkyLight{SkyModel::uniform, Rgb(above)}};
+    Scene scene = foggy(rig);
+    Medium& haze = *scene.rig->medium;
+    haze.extinction = Rgb(1e-6), haze.ambient = Rgb(0), haze.dims_light_leg = false;
+    const double there = haze.albedo.g * above / 2;
+    const double wall = 0.4 * above / 2; // by half of the sky
+    const auto row = last_row(sight(scene, "5000,0,0,1,0,0\n"));
+    EXPECT_NEAR(std::stod(row.at("near_contrast")), (wall - there) / there, 0.01);
+}
+
 TEST(SightPoints, WhatABodyHidesIsNotSeen) {
     const Scene scene = foggy(rig_of(sign_at({15000, 7500, 0}), {.position = {15000, 8000, 0}}));
     const auto hidden = last_row(sight(scene, "0,3500,0,1,0.1,0\n"));

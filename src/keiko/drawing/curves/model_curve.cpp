@@ -53,12 +53,15 @@ bool ModelCurve::is_contour_edge(double t, const ImageProjection& projection) co
     const ChordPlace on(t, course);
     const Vec3 place = course.at(t);
     const Vec2 run = projection.image_direction(place, course.derivative(t));
+    // Sine below which a face is seen edge-on, so that the other one ends alone.
+    constexpr double edge_on = 1e-6;
     const auto side = [&](const Vec3& inward) {
         const Vec2 image = projection.image_direction(place, inward);
-        return run.x * image.y - run.y * image.x;
+        const double across = run.x * image.y - run.y * image.x;
+        return std::abs(across) > edge_on * run.length() * inward.length() ? across : 0;
     };
     const auto [a, b] = sides(on.index, on.share);
-    return side(a) * side(b) > 0;
+    return side(a) * side(b) >= 0;
 }
 
 Vec3 OccludingCurve::inward_at(double t) const {

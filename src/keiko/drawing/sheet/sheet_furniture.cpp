@@ -110,11 +110,15 @@ void add_list(Sheet& sheet, std::span<const std::string> lines) {
     constexpr double inset = 90; // right of the scale bar
     const double width = block.lower.x - margin - inset;
     Vec2 at(margin + inset, block.upper.y);
-    for (const std::string& line : lines) {
+    const auto add = [&](const std::string& line) {
         at.y -= line_step;
-        if (at.y < block.lower.y) break;
         sheet.texts.push_back({at, note_height, shortened(line, letters_in(width, note_height))});
-    }
+    };
+    const auto room = static_cast<std::size_t>(block.extent().y / line_step);
+    const std::size_t shown = lines.size() <= room ? lines.size() : room - 1;
+    for (const std::string& line : lines.first(shown)) add(line);
+    if (shown < lines.size())
+        add("and " + std::to_string(lines.size() - shown) + " more, which keiko check lists");
 }
 
 void add_scale_bar(Sheet& sheet, double scale) {

@@ -75,9 +75,8 @@ public:
 private:
     std::vector<std::string> notes() const {
         std::vector<std::string> notes;
-        const std::string units = "dimensions in mm";
-        notes.push_back(scale_ ? "scale " + scale_text(*scale_) + ", " + units
-                               : "not to scale, " + units);
+        notes.push_back(scale_ ? "scale " + scale_text(*scale_) + ", dimensions in mm"
+                               : "not to scale");
         if (options_.three_views) notes.emplace_back("first-angle projection");
         return notes;
     }
@@ -100,6 +99,8 @@ private:
         const double columns = std::ceil(std::sqrt(count)), rows = std::ceil(count / columns);
         const Vec2 cell(area.extent().x / columns, area.extent().y / rows);
         const Vec2 room = cell - Vec2(2 * gap, 2 * gap);
+        if (!(room.x > 0 && room.y > 0))
+            throw Error("", "paper", "has no room for " + std::to_string(views_.size()) + " views");
         double most = Box2::infinity;
         for (std::size_t i = 0; i < views_.size(); ++i)
             if (views_[i].parallel) most = std::min(most, fit(boxes_[i], room));

@@ -135,12 +135,14 @@ std::map<std::size_t, const LuminousSign*> placed_signs(const LightRig& rig) {
         const auto* light = std::get_if<PolygonLight>(&source);
         return light && *light == panel;
     };
+    auto begin = rig.sources.begin(); // signs are in the order of their panels
     for (const LuminousSign& sign : rig.signs) {
         const std::vector<PolygonLight> panels = sign.panels();
-        const auto found = std::search(rig.sources.begin(), rig.sources.end(), panels.begin(),
-                                       panels.end(), is_panel);
-        if (found != rig.sources.end())
-            placed.emplace(static_cast<std::size_t>(found - rig.sources.begin()), &sign);
+        const auto found =
+            std::search(begin, rig.sources.end(), panels.begin(), panels.end(), is_panel);
+        if (found == rig.sources.end()) continue;
+        begin = found + static_cast<std::ptrdiff_t>(panels.size());
+        placed.emplace(static_cast<std::size_t>(found - rig.sources.begin()), &sign);
     }
     return placed;
 }

@@ -30,8 +30,15 @@ LuminousSign sign_from(const TomlTable& table) {
     sign.panel = face_from(table, Rgb(panel));
     const std::vector<TomlTable> parts = table.tables("legend");
     table.finish();
+    constexpr std::size_t most_corners = 1000; // each hole is cut past all others
+    std::size_t corners = sign.panel.corners.size();
     for (const TomlTable& one : parts) {
         PolygonLight part = face_from(one, Rgb(legend));
+        corners += part.corners.size();
+        if (corners > most_corners)
+            throw one.error("corners", "the sign must have at most " +
+                                           std::to_string(most_corners) +
+                                           " corners with its legend");
         one.finish();
         require_legend(one, part, sign);
         if (part.normal().dot(sign.panel.normal()) < 0)

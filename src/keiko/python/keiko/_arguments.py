@@ -5,7 +5,6 @@ import functools
 import inspect
 import operator
 import os
-import warnings
 
 import numpy as np
 
@@ -75,8 +74,8 @@ def checked(verb):
         for name, value in bound.arguments.items():
             if name in kinds:
                 bound.arguments[name] = _taken(name, kinds[name], value)
-        if not 0 <= bound.arguments.get("threads", 0) <= 65536:
-            raise error("threads", "is not 0 to 65536")
+        if not 0 <= bound.arguments.get("threads", 0) <= 1024:
+            raise error("threads", "is not 0 to 1024")
         return verb(*bound.args, **bound.kwargs)
     return wrapped
 
@@ -88,10 +87,10 @@ def rows(argument: str, values, columns: int, meaning: str):
         given = np.asarray(values)
         if given.dtype.kind not in "fiuO" or given.ndim != 2 or given.shape[1] != columns:
             raise error(argument, wanted)
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            return np.ascontiguousarray(given, float)
+        if given.dtype.kind == "O" and any(isinstance(item, (str, bytes, complex)) for item in given.flat):
+            raise error(argument, wanted)
+        return np.ascontiguousarray(given, float)
     except Error:
         raise
-    except (TypeError, ValueError, OverflowError, Warning):
+    except (TypeError, ValueError, OverflowError):
         raise error(argument, wanted) from None

@@ -289,7 +289,7 @@ Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {
     const double cosine = point.place.normal.dot(point.eye);
     const Rgb base = paint.base().base_reflectance_diffuse(cosine);
     const Rgb lobes = paint.gloss_albedo(cosine);
-    Rgb sum = even_luminance(scene_.rig.ambient) * (base + lobes);
+    Rgb sum = even_luminance(scene_.rig.ambient) * (is_surrounded ? base : base + lobes);
     if (!is_surrounded) return sum;
     sum += even_luminance(environment()->irradiance(point.place.normal)) * base;
     if (lobes == Rgb(0)) return sum;

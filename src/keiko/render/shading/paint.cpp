@@ -89,7 +89,7 @@ Paint Paint::varied(const Material& material, const MapValues& values) const {
 }
 
 Rgb Paint::mirrored(double cosine) const {
-    return gloss_ ? Rgb() : mirror_(cosine) * gloss_share_;
+    return gloss_ ? Rgb() : mirror_(cosine);
 }
 
 double Paint::lobe_width() const {
