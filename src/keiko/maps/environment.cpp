@@ -128,13 +128,13 @@ Rgb Environment::luminance(const Vec3& direction, const Vec3& dx, const Vec3& dy
 
 Rgb Environment::blurred(const Vec3& direction, double width) const {
     // A single look-up would smear a panorama about its poles and a cube map at its borders.
-    constexpr int cells = 5;
+    constexpr int half = 2, cells = 2 * half + 1;
     const auto [x, y] = AxesAcross(direction, direction.z < 0 ? -1 : 1);
     const double cell = width / cells;
     Rgb sum;
-    for (int i = 0; i < cells; ++i)
-        for (int k = 0; k < cells; ++k) {
-            const Vec3 off = (x * (i - cells / 2) + y * (k - cells / 2)) * cell;
+    for (int i = -half; i <= half; ++i)
+        for (int k = -half; k <= half; ++k) {
+            const Vec3 off = (x * i + y * k) * cell;
             sum += luminance(direction + off, x * cell, y * cell);
         }
     return sum / (cells * cells);
@@ -155,7 +155,8 @@ Rgb Environment::texel_irradiance(const Vec3& normal) const {
 double Environment::low_order_error() const {
     double largest = 0, deviation = 0;
     for (int i = 0; i < 27; ++i) {
-        const Vec3 axis(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
+        const int x = i % 3 - 1, y = i / 3 % 3 - 1, z = i / 9 - 1;
+        const Vec3 axis(x, y, z);
         if (axis == Vec3(0)) continue;
         const Vec3 normal = axis.normalized();
         const double exact = keiko::luminance(texel_irradiance(normal));
