@@ -51,6 +51,16 @@ class Draw(KeikoTest):
         self.assertIn("iso-curves", more)
         self.assertNotIn("seams", self.layers(BLOCK, "--without", "seams"))
 
+    def test_what_is_left_out_takes_no_room(self):
+        """Dimensions and the other layers stay where they are."""
+        def layers(*without):
+            return {group.get("id"): xml.etree.ElementTree.tostring(group)
+                    for group in self.svg(BLOCK, *without).iter(SVG + "g") if group.get("id")}
+        whole, rest = layers(), layers("--without", "outlines")
+        self.assertEqual(set(whole) - set(rest), {"outlines"})
+        for name, lines in rest.items():
+            self.assertEqual(lines, whole[name], name)
+
     def test_reflection_lines_are_a_layer(self):
         rig = self.write("rig.toml", """format = "keiko-rig/1"
 name = "above"

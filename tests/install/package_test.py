@@ -25,7 +25,7 @@ FILES = {
     "keiko-doc": (["usr/share/doc/keiko/library.md", "usr/share/doc/keiko/install/Dockerfile"],
                   r"usr/share/doc/keiko/.*"),
     "python3-keiko": ([f"usr/lib/python3/dist-packages/keiko/{name}" for name in
-                       ("__init__.py", "__init__.pyi", "_documents.py", "_pages.py", "_picture.py", "_rig.py", "py.typed", "pytest_plugin.py")],
+                       ("__init__.py", "__init__.pyi", "_arguments.py", "_documents.py", "_pages.py", "_picture.py", "_rig.py", "py.typed", "pytest_plugin.py")],
                       r"usr/lib/python3/dist-packages/keiko(/_keiko\.cpython-\d+-\S+\.so|"
                       r"-[\d.]+\.dist-info/(METADATA|INSTALLER))"),
 }

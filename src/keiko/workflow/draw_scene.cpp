@@ -78,8 +78,7 @@ public:
             for (ModelCurve& line : lines(camera, job)) others.push_back(std::move(line));
         const bool wireframe = options_.hidden == HiddenLines::draw;
         SheetView drawn{view.name, {}, !options_.perspective};
-        for (Stroke& stroke : body_.strokes(camera, others, wireframe, job))
-            if (is_wanted(stroke.kind)) drawn.strokes.push_back(std::move(stroke));
+        drawn.strokes = body_.strokes(camera, others, wireframe, job);
         const ImageProjection projection(camera);
         for (const Check& check : findings)
             drawn.marks.push_back({projection.image(check.worst.place).at,
@@ -89,11 +88,6 @@ public:
     }
 
 private:
-    bool is_wanted(CurveKind kind) const {
-        const auto& without = options_.without;
-        return std::find(without.begin(), without.end(), name_of(kind)) == without.end();
-    }
-
     std::vector<ModelCurve> lines(const Camera& camera, const Job& job) const {
         SurfaceLineOptions search;
         search.look = options_.look;
@@ -181,7 +175,7 @@ Sheet draw_scene(const Scene& scene, const DrawOptions& options, const Job& job)
     if (three && !options.perspective)
         drawn[1].height = drawn[2].width = std::nullopt; // as in the first view
     SheetOptions layout;
-    layout.paper = options.paper;
+    layout.paper = options.paper, layout.without = options.without;
     layout.dash_hidden = options.hidden == HiddenLines::dash;
     layout.three_views = three && !options.perspective;
     layout.list = numbered_list(findings);

@@ -120,14 +120,20 @@ private:
         return std::min(room.x / extent.x, room.y / extent.y);
     }
 
+    bool is_drawn(const Stroke& stroke, const std::string& name) const {
+        const auto& without = options_.without;
+        return (stroke.visible || options_.dash_hidden) &&
+               std::find(without.begin(), without.end(), name) == without.end();
+    }
+
     /// Draws a view with the lower left corner of its box at a place.
     void put(std::size_t index, const Vec2& corner, double scale) {
         const SheetView& view = views_[index];
         const Vec2 shift = corner - boxes_[index].lower * scale;
         for (const Stroke& stroke : view.strokes) {
-            if (!stroke.visible && !options_.dash_hidden) continue;
-            const Pen pen = pen_of(stroke.kind);
             const std::string name(name_of(stroke.kind));
+            if (!is_drawn(stroke, name)) continue;
+            const Pen pen = pen_of(stroke.kind);
             SheetLayer& layer = stroke.visible
                                     ? layer_of(sheet_, name, pen.visible)
                                     : layer_of(sheet_, name + " hidden", pen.hidden, true);

@@ -33,6 +33,8 @@ struct SheetOptions {
     /// Three views of one body in first-angle projection [ISO5456-2]: the first upper left, the
     /// second to its right and the third below it, all in one scale. Otherwise views fill a grid.
     bool three_views = false;
+    std::vector<std::string>
+        without{};                   ///< names of kinds that are not drawn; views keep their size
     std::string title;               ///< of the sheet
     std::vector<std::string> list{}; ///< lines of text beside the title block
 };
