@@ -535,6 +535,10 @@ class ModuleTest(unittest.TestCase):
             (name,) = settings
             with self.assertRaisesRegex(TypeError, f"^{name}: "):
                 keiko.analysis_picture(self.scene, "zebra", **settings)
+        with self.assertRaisesRegex(TypeError, "^scale: two numbers or None is needed, not [^\n]*$"):
+            keiko.analysis_picture(self.scene, "zebra", scale=np.zeros((2, 2)))
+        with self.assertRaisesRegex(TypeError, "^a path is needed, not [^\n]{,63}$"):
+            keiko.load({"wide": "é" * 500})
         for join in (0, -1, 1e4, float("nan")):
             for verb in (keiko.check, keiko.lines, keiko.info):
                 with self.assertRaisesRegex(keiko.Error, "^join: is not 1e-6 to 1000 mm"):

@@ -2,6 +2,7 @@
 
 #include "keiko/api/results.h"
 #include "keiko/base/error.h"
+#include "keiko/base/text.h"
 
 #include <pybind11/stl/filesystem.h>
 
@@ -12,8 +13,6 @@ namespace py = pybind11;
 
 namespace keiko::python {
 namespace {
-
-constexpr std::size_t longest_word = 60; ///< of what an error shows
 
 /// keiko.Error of C++'s: one line, with its parts as attributes.
 void raise(const py::object& type, const Error& error) {
@@ -26,11 +25,13 @@ void raise(const py::object& type, const Error& error) {
 
 } // namespace
 
+std::string shown(const py::object& value) {
+    constexpr std::size_t most = 60; // bytes
+    return shortened(py::repr(value).cast<std::string>(), most);
+}
+
 std::filesystem::path path_of(const py::object& input) {
-    const auto refuse = [&] {
-        const std::string given = py::repr(input).cast<std::string>();
-        throw py::type_error("a path is needed, not " + given.substr(0, longest_word));
-    };
+    const auto refuse = [&] { throw py::type_error("a path is needed, not " + shown(input)); };
     if (!py::isinstance<py::str>(input) && !py::hasattr(input, "__fspath__")) refuse();
     if (py::isinstance<py::str>(input) && input.contains("\n"))
         throw FieldError("input",

@@ -53,6 +53,9 @@ std::vector<std::filesystem::path> paths_of(const pybind11::object& input);
 /// Path of one path. Raises TypeError for anything else, and Error for a text of several lines.
 std::filesystem::path path_of(const pybind11::object& input);
 
+/// The beginning of what Python shows of a value, in one line.
+std::string shown(const pybind11::object& value);
+
 /// Words for an error on what an argument must be.
 template <class Value>
 constexpr const char* meaning_of() {
@@ -79,7 +82,7 @@ Value taken(const pybind11::dict& arguments, const char* name) {
         return given.cast<Value>();
     } catch (const pybind11::cast_error&) {
         throw pybind11::type_error(std::string(name) + ": " + meaning_of<Value>() +
-                                   " is needed, not " + std::string(pybind11::repr(given)));
+                                   " is needed, not " + shown(given));
     }
 }
 
