@@ -7,6 +7,7 @@
 #include "keiko/film/image_file.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/report/record_files.h"
+#include "keiko/workflow/find_lines.h"
 #include "keiko/workflow/place_scene.h"
 #include "keiko/workflow/version.h"
 #include "keiko/workflow/zoned_limits.h"
@@ -103,9 +104,7 @@ LightRig rig_of(const Scene& scene, const FixtureSpec& spec, std::span<const Nam
 
 void measure_lines(const Scene& scene, const LightRig& rig, const NamedView& view,
                    FixtureRecord& record, const Job& job) {
-    std::vector<CPlane> planes;
-    for (const LightSource& source : rig.sources)
-        if (const auto* plane = std::get_if<CPlane>(&source)) planes.push_back(*plane);
+    const std::vector<CPlane> planes = planes_of(rig);
     if (planes.empty()) return;
     const auto lines = surface_lines(scene.model, scene.seen(), planes, view.camera, {}, job);
     append(record.metrics, line_metrics(view.name, planes, lines));

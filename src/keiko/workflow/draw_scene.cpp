@@ -9,6 +9,7 @@
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/inspect/combs/comb_curves.h"
 #include "keiko/workflow/choose_views.h"
+#include "keiko/workflow/find_lines.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,13 +58,6 @@ std::vector<std::string> numbered_list(std::span<const Check> findings) {
     return lines;
 }
 
-std::vector<CPlane> rows_of(const LightRig& rig) {
-    std::vector<CPlane> rows;
-    for (const LightSource& source : rig.sources)
-        if (const auto* row = std::get_if<CPlane>(&source)) rows.push_back(*row);
-    return rows;
-}
-
 /// One view on its way to the sheet.
 class ViewDrawer {
 public:
@@ -92,7 +86,7 @@ private:
         SurfaceLineOptions search;
         search.look = options_.look;
         search.lines.chord_error = body_.chord_error();
-        const std::vector<CPlane> planes = rows_of(*options_.rig);
+        const std::vector<CPlane> planes = planes_of(*options_.rig);
         std::vector<ModelCurve> curves;
         for (const SurfaceLine& line :
              surface_lines(scene_.model, scene_.seen(), planes, camera, search, job)) {
@@ -147,7 +141,7 @@ Vec2 paper_size(std::string_view name) {
 }
 
 Sheet draw_scene(const Scene& scene, const DrawOptions& options, const Job& job) {
-    if (options.rig && rows_of(*options.rig).empty())
+    if (options.rig && planes_of(*options.rig).empty())
         throw Error("", "rig", "it has no rows of tubes, whose lines could be drawn");
     const bool three = options.views.empty();
     const std::vector<NamedView> views =

@@ -10,7 +10,6 @@
 #include "keiko/workflow/zoned_limits.h"
 
 namespace keiko {
-namespace {
 
 std::vector<CPlane> planes_of(const LightRig& rig) {
     std::vector<CPlane> planes;
@@ -18,6 +17,8 @@ std::vector<CPlane> planes_of(const LightRig& rig) {
         if (const auto* plane = std::get_if<CPlane>(&source)) planes.push_back(*plane);
     return planes;
 }
+
+namespace {
 
 const Rgb line_color(0.1, 0.75, 1);
 constexpr std::size_t numbered = 9;

@@ -39,6 +39,8 @@ LineList lines_in_view(const Scene& scene, const LightRig& rig, const NamedView&
 /// The rig of the options, or else the scene's own. Throws Error without either.
 LightRig rig_for_lines(const Scene& scene, const LinesOptions& options);
 
+/// The C-planes of a rig, in order, whose lamps have lines that can be followed.
+std::vector<CPlane> planes_of(const LightRig& rig);
 /// True if a rig has lamps whose lines can be followed.
 bool has_lines(const LightRig& rig);
 

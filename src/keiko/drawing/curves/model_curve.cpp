@@ -57,7 +57,7 @@ bool ModelCurve::is_contour_edge(double t, const ImageProjection& projection) co
     constexpr double edge_on = 1e-6;
     const auto side = [&](const Vec3& inward) {
         const Vec2 image = projection.image_direction(place, inward);
-        const double across = run.x * image.y - run.y * image.x;
+        const double across = run.cross(image);
         return std::abs(across) > edge_on * run.length() * inward.length() ? across : 0;
     };
     const auto [a, b] = sides(on.index, on.share);

@@ -11,14 +11,10 @@ namespace {
 /// Share of the body's size by which a curve must be nearer to hide another one.
 constexpr double nearer_by = 1e-6;
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 /// True if p and q lie on different sides of the line through a and b. A point on it always counts
 /// to one side, so that a chain of chords that touches a line crosses it once or not at all.
 bool on_both_sides(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
-    return (cross(b - a, p - a) < 0) != (cross(b - a, q - a) < 0);
+    return ((b - a).cross(p - a) < 0) != ((b - a).cross(q - a) < 0);
 }
 
 Box3 box_of(const ImagePoint& a, const ImagePoint& b) {
@@ -123,9 +119,9 @@ void OccluderImage::add_crossing(const ModelCurve& curve, std::size_t i, const C
                                  std::vector<std::pair<CountChange, const void*>>& found) const {
     const Vec2 &p = chord.a.at, &q = chord.b.at;
     if (!on_both_sides(a.at, b.at, p, q) || !on_both_sides(p, q, a.at, b.at)) return;
-    const double area = cross(b.at - a.at, q - p);
-    const double s = projection_.share_in_space(cross(p - a.at, q - p) / area, a.depth, b.depth);
-    const double r = projection_.share_in_space(cross(p - a.at, b.at - a.at) / area, chord.a.depth,
+    const double area = (b.at - a.at).cross(q - p);
+    const double s = projection_.share_in_space((p - a.at).cross(q - p) / area, a.depth, b.depth);
+    const double r = projection_.share_in_space((p - a.at).cross(b.at - a.at) / area, chord.a.depth,
                                                 chord.b.depth);
     const double depth = a.depth + s * (b.depth - a.depth);
     const double other = chord.a.depth + r * (chord.b.depth - chord.a.depth);
@@ -148,7 +144,7 @@ int OccluderImage::crossing_change(const ModelCurve& curve, double t, const Occl
     const Vec2 run = projection_.image_direction(place, curve.course.derivative(t));
     const Vec2 border = projection_.image_direction(over, before.course.derivative(u));
     const Vec2 inward = projection_.image_direction(over, before.inward_at(u));
-    const double sheets = cross(border, inward) * cross(border, run);
+    const double sheets = border.cross(inward) * border.cross(run);
     return sheets > 0 ? before.sheets : sheets < 0 ? -before.sheets : 0;
 }
 

@@ -8,10 +8,6 @@ namespace {
 
 constexpr int most_steps = 30;
 
-double cross(const Vec2& a, const Vec2& b) {
-    return a.x * b.y - a.y * b.x;
-}
-
 double clamped(double t, const CurveCourse& curve) {
     return std::clamp(t, 0.0, curve.end());
 }
@@ -82,9 +78,9 @@ std::optional<CurveMeeting> image_crossing(const CurveCourse& a, const CurveCour
         const Vec2 x = projection.image_direction(p, a.derivative(now.t));
         const Vec2 y = projection.image_direction(q, b.derivative(now.u));
         const Vec2 off = projection.image(q).at - projection.image(p).at;
-        const double area = cross(x, y);
+        const double area = x.cross(y);
         if (!(std::abs(area) > 0)) return std::nullopt;
-        Vec2 way = Vec2(cross(off, y), cross(off, x)) / area;
+        Vec2 way = Vec2(off.cross(y), off.cross(x)) / area;
         way *= std::min(1.0, longest / std::max(std::abs(way.x), std::abs(way.y)));
         const double t = clamped(now.t + way.x, a), u = clamped(now.u + way.y, b);
         const double moved = std::abs(t - now.t) + std::abs(u - now.u);
