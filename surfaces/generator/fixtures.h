@@ -53,8 +53,18 @@ BptFixture mast();
 BptFixture workshop_bay();
 BptFixture workbench();
 
+/// Figures of bicubic patches in mm: a teapot with spout and handle, the tea in it, and a figure as
+/// of a board game, as tall as a man.
+BptFixture teapot();
+BptFixture tea();
+BptFixture figure();
+
 /// A luminaire (LM-63) such as hangs over roads: computed from a formula, not measured.
 TextFixture road_lantern();
+
+/// A headlamp (LM-63, type A) with a low beam for traffic on the right: computed from a formula,
+/// not measured.
+TextFixture headlamp();
 
 /// Cages of subdivision surfaces: a cube with sharp and semi-sharp edges, an open panel of
 /// triangles, quads, a pentagon and a hexagon with a hole, and an icosahedron for Loop's scheme.

@@ -22,7 +22,8 @@ int main(int argc, char** argv) {
             report(fixture.file, fixture.truths);
             write_step(directory / fixture.file, fixture.faces);
         }
-        for (const auto make : {saddle, dome, facade, wall, mast, workshop_bay, workbench}) {
+        for (const auto make :
+             {saddle, dome, facade, wall, mast, workshop_bay, workbench, teapot, tea, figure}) {
             const BptFixture fixture = make();
             report(fixture.file, fixture.truths);
             write_bpt(directory / fixture.file, fixture.patches);
@@ -32,9 +33,11 @@ int main(int argc, char** argv) {
             report(fixture.file, fixture.truths);
             write_obj(directory / fixture.file, fixture);
         }
-        const TextFixture lantern = road_lantern();
-        report(lantern.file, lantern.truths);
-        write_lines(directory / lantern.file, lantern.lines);
+        for (const auto make : {road_lantern, headlamp}) {
+            const TextFixture fixture = make();
+            report(fixture.file, fixture.truths);
+            write_lines(directory / fixture.file, fixture.lines);
+        }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "keiko-fixtures: %s\n", error.what());
         return 1;
