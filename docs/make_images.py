@@ -5,7 +5,7 @@ usage: docs/make_images.py KEIKO [--bench KEIKO_BENCH] [NAME...]
 
 Without names all of them. Those of the benchmarks need KEIKO_BENCH, and are left out without it; so are
 penumbra-cost.svg and shaft-costs.svg, plots of what a run measured, unless they are named.
-docs/draw_house.py draws house.svg, and seam-stretches.svg is a drawing.
+docs/draw_house.py draws house.svg, docs/draw_beams.py beam-*.svg, and seam-stretches.svg is a drawing.
 """
 import argparse
 import json
@@ -30,6 +30,13 @@ SCENES = {
     "concept-car-lamps-paper": (
         "concept-car-lamps-scene",
         ("--shadows", "--ev", "8", "--rig", str(ROOT / "lightrigs" / "car-12-paper.toml")), (960, 540)),
+    "distributions": ("distributions-scene", SHADED, (1200, 240)),
+    **{f"elements-{element}": (f"elements-{scene}-scene", (*options, "--ev", "8"), (360, 300))
+       for element, scene, options in (("ambient", "ambient", ()), ("diffuse", "diffuse", ()), ("gloss", "gloss", ()),
+                                       ("mirror", "mirror", ()), ("shadows", "mirror", ("--shadows",)),
+                                       ("fog", "fog", ("--shadows",)))},
+    **{f"five-spots-{frame}": ("five-spots-scene", (*SHADED, "--frames", f"{frame}:{frame}"), (480, 270))
+       for frame in (3, 9, 15, 21)},
     "fog-beams-on-wall": ("beams-on-wall-scene", SHADED, (960, 540)),
     "fog-dots": ("fog-dots-scene", ("--shadows",), (960, 540)),
     "fog-dry-ice": ("dry-ice-scene", SHADED, (480, 270)),
@@ -42,9 +49,12 @@ SCENES = {
     "fog-sun-window": ("sun-window-scene", SHADED, (960, 540)),
     "fog-tunnel": ("foggy-tunnel-scene", SHADED, (800, 450)),
     "glass": ("glass-scene", ("--shadows",), (1200, 400)),
+    "glass-teapot": ("glass-teapot-scene", SHADED, (640, 448)),
     "hood": ("hood-scene", (), (1200, 560)),
     "hood-anaglyph": ("hood-scene", ("--stereo", "anaglyph"), (960, 448)),
+    "indices": ("indices-scene", SHADED, (1200, 320)),
     "leather-and-marble": ("leather-and-marble-scene", SHADED, (960, 430)),
+    "low-beam": ("low-beam-scene", SHADED, (960, 540)),
     "orange-peel": ("orange-peel-scene", (), (960, 540)),
     "lamps-in-a-row": ("lamps-in-a-row-scene", SHADED, (640, 360)),
     "panels-in-fog": ("panels-in-fog-scene", SHADED, (640, 360)),
@@ -57,6 +67,7 @@ SCENES = {
     "turning-dots-1": ("turning-dots-scene", (*SHADED, "--frames", "1:1"), (480, 270)),
     "turning-dots-2": ("turning-dots-scene", (*SHADED, "--frames", "2:2"), (480, 270)),
     "turning-dots-3": ("turning-dots-scene", (*SHADED, "--frames", "3:3"), (480, 270)),
+    "windscreen": ("windscreen-scene", ("--look", "distortion"), (960, 540)),
     "workshop": ("workshop-scene", SHADED, (800, 500)),
     "workshop-lux": (
         "workshop-scene",
