@@ -24,9 +24,10 @@ constexpr std::array<std::string_view, 4> models{"uniform", "overcast", "gradien
 
 Site site_from(const TomlTable& table) {
     Site site;
-    site.latitude = table.required("latitude", table.number("latitude", {.low = -90, .high = 90}));
-    site.longitude =
-        table.required("longitude", table.number("longitude", {.low = -180, .high = 180}));
+    const auto latitude = table.number("latitude", {.low = -90, .high = 90});
+    const auto longitude = table.number("longitude", {.low = -180, .high = 180});
+    site.latitude = table.required("latitude", latitude);
+    site.longitude = table.required("longitude", longitude);
     site.north = table.vector("north").value_or(site.north);
     if (!(std::hypot(site.north.x, site.north.y) > 0))
         throw table.error("north", "must not be vertical");
