@@ -2,7 +2,7 @@
 import json
 import unittest
 
-from keiko_process import SMALL, KeikoTest, surface
+from keiko_process import SMALL, SOURCE, KeikoTest, surface
 
 HOOD = surface("hood.step")
 QUICK = ("-q", "--samples", "2000", *SMALL)
@@ -46,9 +46,13 @@ class Place(KeikoTest):
         self.assertEqual(rigs["screen"]["coverage"], rigs["tube"]["coverage"])
         self.assertEqual(rigs["panel"]["planes"], rigs["tube"]["planes"])
         self.succeed("render", HOOD, "--view", "high-front", "--rig", "screen.toml", "-o", "bars.png", "-q", *SMALL)
-        run = self.keiko("place", HOOD, "--rate", "panel.toml", *QUICK)
+        for kind in "screen", "panel":
+            self.succeed("place", HOOD, "--view", "high-front", "--rate", f"{kind}.toml", "--report", "out", *QUICK)
+            self.assertEqual(self.report()["lamp"], kind)
+            self.assertAlmostEqual(self.report()["coverage"], rigs[kind]["coverage"], delta=1e-9)
+        run = self.keiko("place", HOOD, "--rate", str(SOURCE / "lightrigs" / "one-globe.toml"), *QUICK)
         self.assertEqual(run.returncode, 2)
-        self.assertIn("no lamps on a C-plane", run.stderr)
+        self.assertIn("neither tubes on a C-plane nor rectangular panels", run.stderr)
 
     def test_only_the_faces_that_were_named_count(self):
         self.succeed("place", HOOD, "--view", "high-front", "--faces", "1", "-o", "rig.toml",

@@ -2,6 +2,7 @@
 
 #include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
+#include "keiko/placement/bar_rows.h"
 #include "keiko/placement/candidate_planes.h"
 #include "keiko/placement/plane_frame.h"
 #include "keiko/placement/plane_search.h"
@@ -20,16 +21,18 @@ Placement rated_rig(std::vector<ViewSample> seen, const SurfaceModel& model, int
     const StripeSpacing wanted = spacing.for_height(picture_height);
     Placement result;
     result.rig = rig;
-    for (const LightSource& source : rig.sources) {
-        const auto* lamps = std::get_if<CPlane>(&source);
-        if (!lamps) continue;
-        const PlaneSearch search(field, frame_of(*lamps), {lamps->lamps, wanted});
-        const Box2 extent{Vec2(0), Vec2(lamps->u.length(), lamps->v.length())};
+    const std::vector<CPlane> rows = rows_of(rig, field.centroid());
+    result.kind = kind_of(rig, rows);
+    for (const CPlane& lamps : rows) {
+        const PlaneSearch search(field, frame_of(lamps), {lamps.lamps, wanted});
+        const Box2 extent{Vec2(0), Vec2(lamps.u.length(), lamps.v.length())};
         const PlacementScore score = search.rated(extent).score;
-        field.place(*lamps);
-        result.planes.push_back({*lamps, score, hit_histogram(field, *lamps)});
+        field.place(lamps);
+        result.planes.push_back({lamps, score, hit_histogram(field, lamps)});
     }
-    if (result.planes.empty()) throw Error("", "rig", "it has no lamps on a C-plane to be rated");
+    if (result.planes.empty())
+        throw Error("", "rig",
+                    "it has neither tubes on a C-plane nor rectangular panels to be rated");
     tell_what_is_reached(result, field, model, wanted);
     return result;
 }

@@ -15,8 +15,8 @@
 namespace KEIKO_API keiko {
 
 /// Rating of the lamps of a given rig for samples `seen` in pictures of `picture_height` pixels of
-/// the model: the same figures as for a placed one. Spotlights and suns are skipped. Throws Error
-/// for a rig without C-planes, and if the pictures show no surface.
+/// the model: the same figures as for a placed one, for the rows of rows_of. Other lights are
+/// skipped. Throws Error for a rig without such rows, and if the pictures show no surface.
 Placement rated_rig(std::vector<ViewSample> seen, const SurfaceModel& model, int picture_height,
                     const LightRig& rig, const StripeSpacing& spacing = {});
 
