@@ -120,7 +120,7 @@ luminance = 9000
                 ((BLOCK, "-o", "a.svg", "--section", "w=3"), "w=3"),
                 ((BLOCK, "-o", "a.svg", "--without", "everything"), "--without"),
                 ((BLOCK, "-o", "a.svg", "--preset", "class-a-outer"), "--preset"),
-                ((BLOCK, "-o", "a.svg", "--rig", surface("../lightrigs/one-panel.toml")), "no rows of tubes"),
+                ((BLOCK, "-o", "a.svg", "--rig", surface("../lightrigs/one-globe.toml")), "no lamps whose lines"),
                 ((BLOCK, "-o", "a.svg", "--wireframe", "--hidden", "dash"), "--hidden"),
                 ((BLOCK, "-o", "a.svg", "--paper", "A4", *MANY), "paper: has no room for 21 views"),
                 ((BLOCK, "-o", "a.svg", "--paper", "A9"), "--paper")):

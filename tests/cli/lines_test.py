@@ -18,6 +18,12 @@ name = "sun alone"
 direction = [0, 0, -1]
 illuminance = 1000
 """
+# Two of its edges are mirrored in the middle of a level face.
+PANEL = """format = "keiko-rig/1"
+name = "panel"
+[[polygon]]
+corners = [[1190, 0, 1000], [1190, 2000, 1000], [3190, 2000, 1000], [3190, 0, 1000]]
+"""
 
 
 class Lines(KeikoTest):
@@ -202,12 +208,26 @@ class Lines(KeikoTest):
         self.assertTrue(table[0].startswith("  #  verdict "))
         self.assertEqual(len(table), 1 + 3 + 1 + 1)
 
+    def test_edges_of_panels_have_lines(self):
+        rig = self.write("panel.toml", PANEL)
+        self.succeed("lines", HOLE, "--rig", rig, "--view", "high-front", "-o", "l.json", "-q")
+        found = json.loads((self.folder / "l.json").read_text())
+        self.assertEqual([plane["kind"] for plane in found["planes"]], ["edges"] * 4)
+        corners = [plane["lamps"][0][0] for plane in found["planes"]]
+        for plane, after in zip(found["planes"], corners[1:] + corners[:1]):
+            (edge,) = plane["lamps"]
+            self.assertLess(math.dist(edge[1], after), 1e-9)
+        self.assertTrue(found["lines"])
+        run = self.keiko("lines", HOLE, "--rig", rig, "--look", "isophote", "-o", "m.json", "-q")
+        self.assertEqual((run.returncode, run.stderr), (
+            2, "keiko: rig 'panel': has no C-plane, so that there are no isophotes\n"))
+
     def test_bad_input_is_one_line_and_leaves_nothing(self):
         rig = self.write("sun.toml", SUN)
         for arguments, reason in (
                 (("-o", "l.json"), "keiko: --rig: lines need a rig, as the scene has none of its own"),
                 (("-o", "l.json", "--rig", rig),
-                 "keiko: rig 'sun alone': has no C-plane, so that there are no lines"),
+                 "keiko: rig 'sun alone': has neither a C-plane nor a panel, so that there are no lines"),
                 (("-o", "l.json", "--rig", TUNNEL, "--picture", "p.jpg"),
                  "keiko: p.jpg: --picture makes a .png"),
                 (("-o", "none/l.json", "--rig", TUNNEL), "keiko: none/l.json: there is no folder none")):

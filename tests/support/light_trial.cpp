@@ -125,12 +125,13 @@ LightTrial::Threshold LightTrial::threshold(TrialLight light, Defect defect, dou
 
 std::vector<LineCrossing> LightTrial::crossings(Defect defect, double size) const {
     const SurfaceModel model = defect_panel(defect, size);
-    const std::array planes{
-        std::get<CPlane>(rigs_[std::size_t(TrialLight::tubes)].sources.front())};
+    const std::array sources{
+        LineSource(std::get<CPlane>(rigs_[std::size_t(TrialLight::tubes)].sources.front()))};
     const Job job;
-    JoinedLines lines = join_lines(model, LineSeams(model, 0.5, job),
-                                   surface_lines(model, tracer_of(model), planes, camera_, {}, job),
-                                   planes, camera_, LineLook::reflection, CriteriaPreset{}, job);
+    JoinedLines lines =
+        join_lines(model, LineSeams(model, 0.5, job),
+                   surface_lines(model, tracer_of(model), sources, camera_, {}, job), sources,
+                   camera_, LineLook::reflection, CriteriaPreset{}, job);
     constexpr double at_seam = 0.01; // mm
     std::erase_if(lines.crossings,
                   [](const LineCrossing& c) { return std::abs(c.place.x) > at_seam; });

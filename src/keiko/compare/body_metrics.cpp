@@ -142,10 +142,11 @@ std::vector<Metric> seam_metrics(const Inspection& inspection) {
     return std::move(list).taken();
 }
 
-std::vector<Metric> line_metrics(const std::string& view, std::span<const CPlane> planes,
+std::vector<Metric> line_metrics(const std::string& view, std::span<const LineSource> sources,
                                  std::span<const SurfaceLine> lines) {
     std::vector<std::vector<double>> lengths;
-    for (const CPlane& plane : planes) lengths.emplace_back(static_cast<std::size_t>(plane.lamps));
+    for (const LineSource& source : sources)
+        lengths.emplace_back(static_cast<std::size_t>(source.row.lamps));
     for (const SurfaceLine& line : lines) lengths[line.plane][line.lamp] += length_of(line.line);
     MetricList list("lines");
     for (std::size_t plane = 0; plane < lengths.size(); ++plane)

@@ -18,8 +18,8 @@ std::vector<Metric> shape_metrics(const SurfaceModel& model, const ModelFacts& f
 /// "seams": length, gap, angle, curvature mismatch, its slope, and the verdicts of every seam.
 std::vector<Metric> seam_metrics(const Inspection& inspection);
 
-/// "lines": of every lamp of the `planes` the length of its lines that `view` shows.
-std::vector<Metric> line_metrics(const std::string& view, std::span<const CPlane> planes,
+/// "lines": of every lamp of the `sources` the length of its lines that `view` shows.
+std::vector<Metric> line_metrics(const std::string& view, std::span<const LineSource> sources,
                                  std::span<const SurfaceLine> lines);
 
 } // namespace keiko

@@ -104,10 +104,10 @@ LightRig rig_of(const Scene& scene, const FixtureSpec& spec, std::span<const Nam
 
 void measure_lines(const Scene& scene, const LightRig& rig, const NamedView& view,
                    FixtureRecord& record, const Job& job) {
-    const std::vector<CPlane> planes = planes_of(rig);
-    if (planes.empty()) return;
-    const auto lines = surface_lines(scene.model, scene.seen(), planes, view.camera, {}, job);
-    append(record.metrics, line_metrics(view.name, planes, lines));
+    const std::vector<LineSource> sources = line_sources(rig);
+    if (sources.empty()) return;
+    const auto lines = surface_lines(scene.model, scene.seen(), sources, view.camera, {}, job);
+    append(record.metrics, line_metrics(view.name, sources, lines));
 }
 
 } // namespace

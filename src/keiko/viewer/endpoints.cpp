@@ -229,7 +229,8 @@ HttpReply Endpoints::still(const HttpRequest& request, const std::string& client
 HttpReply Endpoints::lines(const HttpRequest& request, const std::string& client) const {
     const ViewRequest wanted = request_of(request);
     if (!has_lines(scene_.rig_of(wanted)))
-        throw Error("request", "lamps", "there is no row of lamps, so that there are no lines");
+        throw Error("request", "lamps",
+                    "there is neither a row of lamps nor a panel, so that there are no lines");
     return made("application/json", client, "lines", [this, wanted](const Job& job) {
         return lines_json(scene_.lines(wanted, job), scene_.scene().model);
     });

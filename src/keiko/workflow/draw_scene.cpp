@@ -86,10 +86,10 @@ private:
         SurfaceLineOptions search;
         search.look = options_.look;
         search.lines.chord_error = body_.chord_error();
-        const std::vector<CPlane> planes = planes_of(*options_.rig);
+        const std::vector<LineSource> sources = line_sources(*options_.rig, options_.look);
         std::vector<ModelCurve> curves;
         for (const SurfaceLine& line :
-             surface_lines(scene_.model, scene_.seen(), planes, camera, search, job)) {
+             surface_lines(scene_.model, scene_.seen(), sources, camera, search, job)) {
             ModelCurve curve{CurveKind::line};
             for (const LinePoint& point : line.line.points)
                 curve.course.points.push_back(point.place);
@@ -141,8 +141,8 @@ Vec2 paper_size(std::string_view name) {
 }
 
 Sheet draw_scene(const Scene& scene, const DrawOptions& options, const Job& job) {
-    if (options.rig && planes_of(*options.rig).empty())
-        throw Error("", "rig", "it has no rows of tubes, whose lines could be drawn");
+    if (options.rig && !has_lines(*options.rig, options.look))
+        throw Error("", "rig", "it has no lamps whose lines could be drawn");
     const bool three = options.views.empty();
     const std::vector<NamedView> views =
         choose_views(scene, three ? three_views : options.views, 1, job);

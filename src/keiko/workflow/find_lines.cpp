@@ -11,13 +11,6 @@
 
 namespace keiko {
 
-std::vector<CPlane> planes_of(const LightRig& rig) {
-    std::vector<CPlane> planes;
-    for (const LightSource& source : rig.sources)
-        if (const auto* plane = std::get_if<CPlane>(&source)) planes.push_back(*plane);
-    return planes;
-}
-
 namespace {
 
 const Rgb line_color(0.1, 0.75, 1);
@@ -47,14 +40,15 @@ LightRig rig_for_lines(const Scene& scene, const LinesOptions& options) {
     throw FieldError("rig", "lines need a rig, as the scene has none of its own");
 }
 
-bool has_lines(const LightRig& rig) {
-    return !planes_of(rig).empty();
+bool has_lines(const LightRig& rig, LineLook look) {
+    return !line_sources(rig, look).empty();
 }
 
 LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const NamedView> views,
                      const LinesOptions& options, const FaceLimits& limits, const Job& job) {
-    const std::vector<CPlane> planes = planes_of(rig);
+    const std::vector<LineSource> sources = line_sources(rig, options.lines.look);
     LineList list{version(), rig.name, options.lines.look, limits.preset(), options.join, {}};
+    list.sources = sources;
     if (limits.has_zones_or_scope()) list.scope = scope_of_faces(scene.model, limits);
     constexpr double pairing = 0.2; // of what a view takes
     constexpr int view_stages = 4;
@@ -63,26 +57,29 @@ LineList lines_under(const Scene& scene, const LightRig& rig, std::span<const Na
     for (const NamedView& view : views) {
         const Job of_view = steps.next(1, view_stages, view.name);
         std::vector<SurfaceLine> pieces =
-            surface_lines(scene.model, scene.seen(), planes, view.camera, options.lines, of_view);
+            surface_lines(scene.model, scene.seen(), sources, view.camera, options.lines, of_view);
         list.views.push_back({view.name, view.camera,
-                              join_lines(scene.model, seams, std::move(pieces), planes, view.camera,
-                                         options.lines.look, limits, of_view)});
+                              join_lines(scene.model, seams, std::move(pieces), sources,
+                                         view.camera, options.lines.look, limits, of_view)});
     }
     return list;
 }
 
 namespace {
 
-void require_lines(const LightRig& rig) {
-    if (!has_lines(rig))
-        throw Error("", "rig '" + rig.name + "'", "has no C-plane, so that there are no lines");
+void require_lines(const LightRig& rig, LineLook look) {
+    if (has_lines(rig, look)) return;
+    const bool isophote = look == LineLook::isophote;
+    throw Error("", "rig '" + rig.name + "'",
+                isophote ? "has no C-plane, so that there are no isophotes"
+                         : "has neither a C-plane nor a panel, so that there are no lines");
 }
 
 } // namespace
 
 LineList lines_in_view(const Scene& scene, const LightRig& rig, const NamedView& view,
                        const LinesOptions& options, const Job& job) {
-    require_lines(rig);
+    require_lines(rig, options.lines.look);
     constexpr double choosing = 1, following = 4;
     JobSteps steps(job, choosing + following);
     const FaceLimits limits = limits_in(scene, options.preset, options.scope, steps.next(choosing));
@@ -91,7 +88,7 @@ LineList lines_in_view(const Scene& scene, const LightRig& rig, const NamedView&
 
 LineList find_lines(const Scene& scene, const LinesOptions& options, const Job& job) {
     const LightRig rig = rig_for_lines(scene, options);
-    require_lines(rig);
+    require_lines(rig, options.lines.look);
     constexpr double choosing = 1, following = 4;
     JobSteps steps(job, choosing + following);
     const Job to_choose = steps.next(choosing, 2);

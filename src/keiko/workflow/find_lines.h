@@ -28,21 +28,20 @@ struct LinesOptions {
 
 /// The reflection lines, highlight lines or isophotes of a rig's lamps on the body in views of a
 /// scene, joined over seams, measured and judged there. Throws Error without a rig, and for one
-/// without C-planes.
+/// without lines of that kind.
 LineList find_lines(const Scene& scene, const LinesOptions& options = {}, const Job& job = {});
 
 /// Lines as in find_lines in one view, under a rig at hand: views and rig of the options are not
-/// read. Throws Error for a rig without C-planes.
+/// read. Throws Error for a rig without lines of that kind.
 LineList lines_in_view(const Scene& scene, const LightRig& rig, const NamedView& view,
                        const LinesOptions& options = {}, const Job& job = {});
 
 /// The rig of the options, or else the scene's own. Throws Error without either.
 LightRig rig_for_lines(const Scene& scene, const LinesOptions& options);
 
-/// The C-planes of a rig, in order, whose lamps have lines that can be followed.
-std::vector<CPlane> planes_of(const LightRig& rig);
-/// True if a rig has lamps whose lines can be followed.
-bool has_lines(const LightRig& rig);
+/// True if a rig has lamps whose lines of a kind can be followed: rows of tubes, or panels unless
+/// they are isophotes.
+bool has_lines(const LightRig& rig, LineLook look = LineLook::reflection);
 
 /// Lines as in find_lines, for a rig that has lines, for chosen views and for limits of the faces
 /// that are known: the preset and the scope of the options are not read.

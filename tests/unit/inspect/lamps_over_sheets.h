@@ -34,9 +34,9 @@ inline Camera parallel_camera(const Vec3& direction) {
 inline JoinedLines joined(const SurfaceModel& model, const CPlane& plane, const Camera& camera,
                           const CriteriaPreset& preset = {}, const Job& job = {}) {
     const Tracer tracer(model);
-    const std::array planes{plane};
+    const std::array sources{LineSource(plane)};
     return join_lines(model, LineSeams(model, 0.5, job),
-                      surface_lines(model, tracer, planes, camera, {}, job), planes, camera,
+                      surface_lines(model, tracer, sources, camera, {}, job), sources, camera,
                       LineLook::reflection, preset, job);
 }
 

@@ -67,7 +67,7 @@ TEST(SurfaceLines, OnASphereAreWhereTheEyeSeesTheLamps) {
     const Tracer tracer(model);
     const Camera camera = camera_of("high-front", tracer.bounds());
     const CPlane lamps = lamps_over(tracer.bounds());
-    const auto lines = surface_lines(model, tracer, std::array{lamps}, camera);
+    const auto lines = surface_lines(model, tracer, std::array{LineSource(lamps)}, camera);
     const Compared compared = compare(model, tracer, camera, lamps, lines, 1e-6);
     EXPECT_GT(compared.points, 200);
     EXPECT_EQ(compared.hidden, 0);
@@ -78,7 +78,7 @@ TEST(SurfaceLines, OnTheHoodAreWhereTheEyeSeesTheLamps) {
     const Tracer tracer(model);
     const Camera camera = camera_of("high-front", tracer.bounds());
     const CPlane lamps = lamps_over(tracer.bounds());
-    const auto lines = surface_lines(model, tracer, std::array{lamps}, camera);
+    const auto lines = surface_lines(model, tracer, std::array{LineSource(lamps)}, camera);
     const Compared compared = compare(model, tracer, camera, lamps, lines, 1e-6);
     EXPECT_GT(compared.points, 500);
     EXPECT_EQ(compared.hidden, 0);
@@ -102,7 +102,8 @@ TEST(SurfaceLines, StopAtTheBorderOfAHole) {
     lamps.lamps = 101;
     double nearest_end = 1000;
     bool beside = false;
-    for (const SurfaceLine& line : surface_lines(model, tracer, std::array{lamps}, camera)) {
+    for (const SurfaceLine& line :
+         surface_lines(model, tracer, std::array{LineSource(lamps)}, camera)) {
         for (const LinePoint& p : line.line.points) {
             const double out = std::max(std::abs(p.place.x), std::abs(p.place.y)) - 30;
             EXPECT_GE(out, -1e-9) << p.place;
@@ -130,7 +131,7 @@ TEST(SurfaceLines, StopWhereAnotherSurfaceHidesThePlaceOrItsLamp) {
     CPlane lamps;
     lamps.origin = {-5000, -5000, 2000}, lamps.u = {0, 10000, 0}, lamps.v = {10000, 0, 0};
     lamps.lamps = 400;
-    const auto lines = surface_lines(model, tracer, std::array{lamps}, camera);
+    const auto lines = surface_lines(model, tracer, std::array{LineSource(lamps)}, camera);
     // By similar triangles the ray to the eye from (x, y, 0) is at 0.95 y - 100 where it passes the
     // upper sheet. The mirrored one is at 1.05 y + 100; the sheet ends at -50 and at 50.
     double front = 100, rear = -100;
@@ -152,10 +153,10 @@ TEST(SurfaceLines, AreTheSameForOneAndTwoThreads) {
     for (const LineLook look : {LineLook::reflection, LineLook::highlight, LineLook::isophote}) {
         SurfaceLineOptions options;
         options.look = look;
-        const auto one =
-            surface_lines(model, tracer, std::array{lamps}, camera, options, {.threads = 1});
-        const auto two =
-            surface_lines(model, tracer, std::array{lamps}, camera, options, {.threads = 2});
+        const auto one = surface_lines(model, tracer, std::array{LineSource(lamps)}, camera,
+                                       options, {.threads = 1});
+        const auto two = surface_lines(model, tracer, std::array{LineSource(lamps)}, camera,
+                                       options, {.threads = 2});
         EXPECT_FALSE(one.empty()) << name_of(look);
         ASSERT_EQ(one.size(), two.size());
         for (std::size_t i = 0; i < one.size(); ++i) {

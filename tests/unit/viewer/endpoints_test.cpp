@@ -180,7 +180,7 @@ TEST_F(EndpointsTest, FollowsTheLinesOfTheLampsThatAreAskedFor) {
               own);
     const HttpReply none = ask("POST", "/lines", "c_plane = []");
     EXPECT_EQ(none.status, 400);
-    EXPECT_TRUE(has(none, "no row of lamps"));
+    EXPECT_TRUE(has(none, "neither a row of lamps nor a panel"));
 }
 
 TEST_F(EndpointsTest, AfterTheEndOfTheServerLongAnswersAreRefused) {

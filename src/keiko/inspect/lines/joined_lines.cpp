@@ -75,16 +75,17 @@ bool worse(const LineCrossing& a, const LineCrossing& b) {
 
 class LineJoiner {
 public:
-    LineJoiner(const SurfaceModel& model, const LineSeams& seams, std::span<const CPlane> planes,
-               const Camera& camera, LineLook look, const FaceLimits& limits, const Job& job)
+    LineJoiner(const SurfaceModel& model, const LineSeams& seams,
+               std::span<const LineSource> sources, const Camera& camera, LineLook look,
+               const FaceLimits& limits, const Job& job)
         : model_(model),
           seams_(seams),
           limits_(limits),
           job_(job),
           continuing_(seams.curves, seams.seams, seams.chains, seams.join_distance) {
         const Vec3 body = material_bounds(model, job).center();
-        for (const CPlane& plane : planes)
-            lamps_.push_back(lamp_levels(look, LineEye(camera), plane, body));
+        for (const LineSource& source : sources)
+            lamps_.push_back(lamp_levels(look, LineEye(camera), source, body));
     }
 
     JoinedLines run(std::vector<SurfaceLine> pieces) {
@@ -340,10 +341,10 @@ LineSeams::LineSeams(const SurfaceModel& model, double join, const Job& job)
       join_distance(join) {}
 
 JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
-                       std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,
+                       std::vector<SurfaceLine> pieces, std::span<const LineSource> sources,
                        const Camera& camera, LineLook look, const FaceLimits& limits,
                        const Job& job) {
-    return LineJoiner(model, seams, planes, camera, look, limits, job).run(std::move(pieces));
+    return LineJoiner(model, seams, sources, camera, look, limits, job).run(std::move(pieces));
 }
 
 } // namespace keiko

@@ -109,11 +109,11 @@ struct LineSeams {
     LineSeams(const SurfaceModel& model, double join, const Job& job);
 };
 
-/// Joins the pieces that surface_lines found for the same planes, camera and kind of lines across
+/// Joins the pieces that surface_lines found for the same sources, camera and kind of lines across
 /// the borders of patches and seams, measures each crossing and judges it by the limits there. The
 /// same for any thread count. Throws Cancelled.
 JoinedLines join_lines(const SurfaceModel& model, const LineSeams& seams,
-                       std::vector<SurfaceLine> pieces, std::span<const CPlane> planes,
+                       std::vector<SurfaceLine> pieces, std::span<const LineSource> sources,
                        const Camera& camera, LineLook look, const FaceLimits& limits,
                        const Job& job = {});
 

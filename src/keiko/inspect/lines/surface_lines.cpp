@@ -18,8 +18,8 @@ namespace {
 /// Visibility of one level's line from the viewpoint of a field.
 class LineVisibility {
 public:
-    /// `seen`: all possible occluders. Keeps references.
-    LineVisibility(const Tracer& seen, const LineField& field, double level);
+    /// `seen`: all possible occluders; `level`: into those of the lamps. Keeps references.
+    LineVisibility(const Tracer& seen, const LampLevels& lamps, std::size_t level);
 
     /// True if the place is visible from the viewpoint and the lamp of the line is visible in it.
     /// The ray to the viewpoint must be free and, for reflections, the mirrored one up to the
@@ -30,10 +30,11 @@ public:
     bool sees(const Vec3& place, const Vec3& normal, const Root& root) const;
 
 private:
-    bool on_lamp(const LineField::Image& image) const;
+    bool on_lamp(const LineField::Image& image, const Vec3& place) const;
     Ray to_eye(const Vec3& place) const;
 
     const Tracer& seen_;
+    const LineSource& source_;
     const LineField& field_;
     double level_;
     double begin_; ///< mm
@@ -43,13 +44,14 @@ private:
 /// side of a seam, which is a little higher. A line does not end there.
 constexpr double nearest_occluder = 0.2, nearest_in_sizes = 2e-4;
 
-LineVisibility::LineVisibility(const Tracer& seen, const LineField& field, double level)
+LineVisibility::LineVisibility(const Tracer& seen, const LampLevels& lamps, std::size_t level)
     : seen_(seen),
-      field_(field),
-      level_(level),
+      source_(lamps.source),
+      field_(lamps.field),
+      level_(lamps.levels[level]),
       begin_(std::min(nearest_occluder, nearest_in_sizes * seen.bounds().size())) {}
 
-bool LineVisibility::on_lamp(const LineField::Image& image) const {
+bool LineVisibility::on_lamp(const LineField::Image& image, const Vec3& place) const {
     // At a collapsed edge the field is 0 on every level, and does not identify the lamp.
     constexpr double rounding = 1e-4; // degrees
     const bool isophote = field_.look() == LineLook::isophote;
@@ -57,7 +59,8 @@ bool LineVisibility::on_lamp(const LineField::Image& image) const {
     // viewpoint.
     const double level = isophote ? std::abs(level_) : level_;
     if (!image.faces || !(field_.normal_turn(image, level - image.value) < rounding)) return false;
-    return isophote || (image.along >= 0 && image.along <= field_.plane().length);
+    return isophote || (image.along >= 0 && image.along <= field_.plane().length &&
+                        source_.is_visible_from(place));
 }
 
 Ray LineVisibility::to_eye(const Vec3& place) const {
@@ -71,7 +74,7 @@ Ray LineVisibility::to_eye(const Vec3& place) const {
 
 bool LineVisibility::sees(const Vec3& place, const Vec3& normal, const Root& root) const {
     const LineField::Image image = field_.image(place, normal);
-    if (!on_lamp(image)) return false;
+    if (!on_lamp(image, place)) return false;
     Ray ray = to_eye(place);
     ray.excluded = root;
     if (seen_.any(ray)) return false;
@@ -112,14 +115,14 @@ std::vector<PatchInstance> patch_instances(const SurfaceModel& model) {
 
 class LineFinder {
 public:
-    LineFinder(const SurfaceModel& model, const Tracer& seen, std::span<const CPlane> planes,
+    LineFinder(const SurfaceModel& model, const Tracer& seen, std::span<const LineSource> sources,
                const Camera& camera, const SurfaceLineOptions& options, const Job& job)
         : model_(model), seen_(seen), lines_(options.lines) {
         const Box3 body = material_bounds(model, job);
         step_ = options.test_step * body.size();
         lines_.chord_error = std::max(lines_.chord_error, least_chord_error * body.size());
-        for (const CPlane& plane : planes)
-            fields_.push_back(lamp_levels(options.look, LineEye(camera), plane, body.center()));
+        for (const LineSource& source : sources)
+            fields_.push_back(lamp_levels(options.look, LineEye(camera), source, body.center()));
         for (const Face& face : model.faces) trims_.emplace_back(model, face);
     }
 
@@ -148,7 +151,7 @@ private:
         };
         for (const PatchLine& line : patch_lines(patch, lamps.field, lamps.levels, options)) {
             const LevelFunction f(patch, lamps.field, lamps.levels[line.level]);
-            const LineVisibility sight(seen_, lamps.field, lamps.levels[line.level]);
+            const LineVisibility sight(seen_, lamps, line.level);
             const auto visible = [&](const LinePoint& p) {
                 return sees(sight, placed, patch, p.uv);
             };
@@ -192,8 +195,9 @@ double LampLevels::step(std::uint32_t lamp) const {
     return std::abs(levels[from + 1] - levels[from]);
 }
 
-LampLevels lamp_levels(LineLook look, const LineEye& eye, const CPlane& plane, const Vec3& body) {
-    LampLevels lamps{LineField(look, eye, plane, body), {}, 0};
+LampLevels lamp_levels(LineLook look, const LineEye& eye, const LineSource& source,
+                       const Vec3& body) {
+    LampLevels lamps{source, LineField(look, eye, source.row, body), {}, 0};
     const CPlaneFrame& frame = lamps.field.plane();
     lamps.lamps = static_cast<std::uint32_t>(frame.lamps);
     for (int i = 0; i < frame.lamps; ++i)
@@ -206,10 +210,10 @@ LampLevels lamp_levels(LineLook look, const LineEye& eye, const CPlane& plane, c
 }
 
 std::vector<SurfaceLine> surface_lines(const SurfaceModel& model, const Tracer& seen,
-                                       std::span<const CPlane> planes, const Camera& camera,
+                                       std::span<const LineSource> sources, const Camera& camera,
                                        const SurfaceLineOptions& options, const Job& job) {
     const std::vector<PatchInstance> placed = patch_instances(model);
-    const LineFinder finder(model, seen, planes, camera, options, job);
+    const LineFinder finder(model, seen, sources, camera, options, job);
     std::vector<std::vector<SurfaceLine>> found(placed.size());
     parallel_for(placed.size(), job, "lines",
                  [&](std::size_t i) { found[i] = finder.on(placed[i]); });

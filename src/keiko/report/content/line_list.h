@@ -27,6 +27,7 @@ struct LineList {
     AcceptanceList acceptances{}; ///< of findings; only those of lines in one of the views apply
     /// The faces that are judged, and the zones; nullopt if the preset has no zones and all are.
     std::optional<JudgedScope> scope{};
+    std::vector<LineSource> sources{}; ///< whose lines they are: planes of lines by their index
 };
 
 /// Crossings of all views by verdict.

@@ -15,6 +15,16 @@ Json viewpoint_json(const Camera& camera) {
             {"target", point(camera.target)}};
 }
 
+/// The straight lines of light of one source, from end to end.
+Json source_json(const LineSource& source) {
+    Json lines = Json::array();
+    for (int lamp = 0; lamp < source.row.lamps; ++lamp) {
+        const Segment line = source.line(lamp);
+        lines.push_back({point(line.a), point(line.b)});
+    }
+    return {{"kind", source.of_panels ? "edges" : "tubes"}, {"lamps", std::move(lines)}};
+}
+
 Json piece_json(const SurfaceLine& piece, const SurfaceModel& model) {
     Json points = Json::array();
     for (const LinePoint& p : piece.line.points) points.push_back(point(p.place));
@@ -133,10 +143,12 @@ std::string lines_json(const LineList& list, const SurfaceModel& model) {
                  {"join", list.join},
                  {"verdict", name_of(verdict_of(list))},
                  {"counts", counts_json(list)},
+                 {"planes", Json::array()},
                  {"views", Json::array()},
                  {"crossings", crossings_json(list)},
                  {"lines", Json::array()}};
     if (list.scope) json["scope"] = scope_json(*list.scope, list.preset);
+    for (const LineSource& source : list.sources) json["planes"].push_back(source_json(source));
     for (const ViewLines& view : list.views) {
         Json camera = {{"name", view.view}};
         camera.update(viewpoint_json(view.camera));
