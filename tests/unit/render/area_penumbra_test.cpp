@@ -4,6 +4,7 @@
 #include "keiko/math/polygon.h"
 #include "keiko/render/shading/occluded_visibility.h"
 
+#include "tests/support/curved_row.h"
 #include "tests/support/oracle.h"
 #include "tests/support/polyhedron_row.h"
 #include "tests/support/shapes.h"
@@ -30,7 +31,7 @@ void add_plate(std::span<const Vec3> corners, ShapeBuilder& shapes) {
     shapes.face({bilinear(low, low + u, low + v, low + u + v)}, {polygon(outline)});
 }
 
-/// The plates of a row of the tables area_polygon_occluded, area_sphere and area_polyhedron.
+/// The plates of a row of the tables of area sources.
 SurfaceModel plates_of(const OracleRow& row) {
     const std::vector<Vec3> corners = row.points("in.occ");
     ShapeBuilder shapes;
@@ -100,6 +101,23 @@ TEST(AreaPenumbra, SphereBehindPlatesMeetsTheOracle) {
         const double luminance = row.number("in.L");
         compare(row, luminance * plates.seen(light, of_numbers), 1e-4);
         compare(row, luminance * plates.seen(light, {1e-7, 0.12, true}), 1e-6);
+    }
+}
+
+TEST(AreaPenumbra, CurvedBodyBehindPlatesMeetsTheOracle) {
+    const OracleTable table("area_curved");
+    ASSERT_GE(table.size(), 13U);
+    for (const OracleRow& row : table) {
+        const Plates plates(row);
+        const auto lx = [&](const WidthOptions& options) {
+            double sum = 0;
+            for (const auto& part : parts_of(row))
+                sum += std::visit([&](const auto& light) { return plates.seen(light, options); },
+                                  part);
+            return sum * row.number("in.L");
+        };
+        compare(row, lx(of_numbers), 1e-4);
+        compare(row, lx({1e-7, 0.12, true}), 1e-6);
     }
 }
 

@@ -4,9 +4,7 @@
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/math/polygon.h"
 
-#include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace keiko {
 
@@ -47,28 +45,6 @@ std::string table_text(const PolygonLight& light) {
     std::string text = "\n[[polygon]]\n" + corners_line(light.corners);
     if (light.two_sided) text += toml_line("two_sided", "true");
     return text + toml_line("luminance", toml_value(light.luminance), "cd/m2");
-}
-
-std::vector<PolygonLight> box_faces_from(const TomlTable& table) {
-    const Vec3 origin = table.required("origin", table.vector("origin"));
-    const Vec3 u = table.required("u", table.vector("u"));
-    Vec3 v = table.required("v", table.vector("v")), w = table.required("w", table.vector("w"));
-    constexpr double flat = 1e-6; // of the volume of a box with right angles
-    const double volume = u.dot(v.cross(w));
-    if (!(std::abs(volume) > flat * u.length() * v.length() * w.length()))
-        throw table.error("w", "u, v and w must not lie in a plane");
-    if (volume < 0) std::swap(v, w);
-    const double area = 2 * (u.cross(v).length() + v.cross(w).length() + w.cross(u).length());
-    const Rgb luminance = luminance_of_area(table, PolygonLight{}.luminance, area);
-    table.finish();
-    std::vector<PolygonLight> faces;
-    const auto add_pair = [&](const Vec3& a, const Vec3& b, const Vec3& across) {
-        const Vec3 far = origin + across;
-        faces.push_back({{origin, origin + b, origin + a + b, origin + a}, luminance});
-        faces.push_back({{far, far + a, far + a + b, far + b}, luminance});
-    };
-    add_pair(u, v, w), add_pair(v, w, u), add_pair(w, u, v);
-    return faces;
 }
 
 SphereLight sphere_light_from(const TomlTable& table) {

@@ -64,7 +64,10 @@ LightRig rig_from(const TomlTable& table) {
     for (const TomlTable& t : table.tables("polygon")) take(t, polygon_light_from(t));
     for (const TomlTable& t : table.tables("sphere")) take(t, sphere_light_from(t));
     for (const TomlTable& t : table.tables("box"))
-        for (PolygonLight& face : box_faces_from(t)) take(t, std::move(face));
+        for (LightSource& face : box_lights_from(t)) take(t, std::move(face));
+    for (const TomlTable& t : table.tables("primitive"))
+        if (!t.has("material")) // which makes a part of the scene of it
+            for (LightSource& light : primitive_lights_from(t)) take(t, std::move(light));
     for (const TomlTable& t : table.tables("sign")) {
         rig.signs.push_back(sign_from(t));
         for (PolygonLight& panel : rig.signs.back().panels()) take(t, std::move(panel));
@@ -86,14 +89,16 @@ namespace {
 LightRig whole_rig(const TomlTable& root) {
     root.require_format(format);
     LightRig rig = rig_from(root);
+    for (const TomlTable& table : root.tables("primitive"))
+        if (table.has("material"))
+            throw table.error("material", "belongs to scenes: a lamp of a rig has a luminance");
     root.finish();
     if (rig.sources.empty() && rig.ambient == Rgb(0))
         throw root.error(
             "",
             "the rig has no light: neither [[c_plane]] nor [[spotlight]] nor [[luminaire]] "
-            "nor [[polygon]] nor [[sphere]] nor [[box]] nor [[sign]] nor [[point]] nor [[line]] "
-            "nor [sun] "
-            "nor [sky]");
+            "nor [[polygon]] nor [[sphere]] nor [[box]] nor [[primitive]] nor [[sign]] "
+            "nor [[point]] nor [[line]] nor [sun] nor [sky]");
     return rig;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/model/primitive.h"
 #include "keiko/light/areas/area_lights.h"
 #include "keiko/light/areas/sign.h"
 #include "keiko/light/fog/medium.h"
@@ -66,8 +67,16 @@ void require_ring(const TomlTable& table, const std::vector<Vec3>& corners);
 /// The line of corners that reads back as the same.
 std::string corners_line(const std::vector<Vec3>& corners);
 
+/// The shape of a [[primitive]], by its kind. Throws Error with file, line and column.
+PrimitiveShape primitive_shape_from(const TomlTable& table);
+/// The lights of a [[primitive]] that is a lamp. Throws Error with file, line and column.
+std::vector<LightSource> primitive_lights_from(const TomlTable& table);
 /// The six faces of a [[box]], which shine outwards. Throws Error with file, line and column.
-std::vector<PolygonLight> box_faces_from(const TomlTable& table);
+std::vector<LightSource> box_lights_from(const TomlTable& table);
+/// A [[primitive]] that reads back as the same light.
+std::string table_text(const DiscLight& light);
+std::string table_text(const FrustumLight& light);
+std::string table_text(const EllipsoidLight& light);
 
 /// Luminance in cd/m2 of a diffuse source, by `luminance`, or by `luminous_flux` in lm, for which
 /// `of_flux` returns it, times the color; `otherwise` if the table has neither. Throws Error with

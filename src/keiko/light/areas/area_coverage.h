@@ -1,30 +1,13 @@
 #pragma once
 
 #include "keiko/light/areas/area_lights.h"
+#include "keiko/light/areas/plane_footprint.h"
 #include "keiko/math/ray_differentials.h"
 
 #include <optional>
 #include <vector>
 
 namespace keiko {
-
-/// A light on a ray, or on the rays of a pixel.
-struct AreaHit {
-    double t = 0;        ///< distance of the light, in lengths of the ray's direction
-    double coverage = 0; ///< share of the pixel's footprint that the light fills, above 0 to 1
-};
-
-/// Frame of a plane in space.
-struct PlaneAxes {
-    Vec3 origin{0};  ///< mm, a place in it
-    Vec3 normal{0};  ///< unit
-    Vec3 x{0}, y{0}; ///< unit, in it, at right angles to each other
-
-    /// Frame with any x.
-    PlaneAxes(const Vec3& through, const Vec3& unit_normal);
-    /// Place of a point in it, mm.
-    Vec2 place(const Vec3& at) const { return {x.dot(at - origin), y.dot(at - origin)}; }
-};
 
 /// A panel in its plane, prepared for many rays.
 struct PanelOutline {
@@ -44,8 +27,19 @@ struct PanelOutline {
 std::optional<AreaHit> area_hit(const PanelOutline& panel, const Vec3& origin,
                                 const Vec3& direction,
                                 const std::optional<RayDifferentials>& spread);
-/// Sphere on the rays of a pixel, by its outline as seen from the origin of the central ray.
+/// Disc, sphere or ellipsoid on the rays of a pixel, by its outline as seen from the origin of the
+/// central ray, in closed form.
+std::optional<AreaHit> area_hit(const DiscLight& light, const Vec3& origin, const Vec3& direction,
+                                const std::optional<RayDifferentials>& spread);
 std::optional<AreaHit> area_hit(const SphereLight& light, const Vec3& origin, const Vec3& direction,
+                                const std::optional<RayDifferentials>& spread);
+std::optional<AreaHit> area_hit(const EllipsoidLight& light, const Vec3& origin,
+                                const Vec3& direction,
+                                const std::optional<RayDifferentials>& spread);
+/// Lateral surface on the rays of a pixel, by its outline as seen from the origin of the central
+/// ray. Rims are polygons with an error of at most a hundredth of the pixel.
+std::optional<AreaHit> area_hit(const FrustumLight& light, const Vec3& origin,
+                                const Vec3& direction,
                                 const std::optional<RayDifferentials>& spread);
 
 } // namespace keiko

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/light/areas/curved_lights.h"
 #include "keiko/math/polygon.h"
 #include "keiko/math/rgb.h"
 #include "keiko/math/vec.h"
@@ -18,6 +19,8 @@ struct PolygonLight {
     Rgb luminance{10000};      ///< cd/m2, colour included
     /// True if both faces shine; else only the one from which the corners run anticlockwise.
     bool two_sided = false;
+    /// False if cameras and mirrors show it by a face of a body.
+    bool shown = true;
 
     /// Unit normal of the face that shines.
     Vec3 normal() const { return polygon_normal(corners).normalized(); }
@@ -48,6 +51,7 @@ inline double entry_of(const SphereLight& light, const Vec3& origin, const Vec3&
 
 /// Lights with an area that are no tubes.
 template <class Light>
-concept AreaLight = std::same_as<Light, PolygonLight> || std::same_as<Light, SphereLight>;
+concept AreaLight =
+    std::same_as<Light, PolygonLight> || std::same_as<Light, SphereLight> || CurvedLight<Light>;
 
 } // namespace keiko

@@ -1,18 +1,44 @@
 #include "keiko/light/areas/area_penumbra.h"
 
 #include "keiko/light/areas/area_width.h"
+#include "keiko/light/areas/ellipse_width.h"
+#include "keiko/light/areas/frustum_width.h"
 
 namespace keiko {
-double visible_share(const PolygonLight& light, const Vec3& point, const Vec3& normal,
-                     const Visibility& visible, const WidthOptions& options) {
+namespace {
+
+template <AreaLight Light>
+double share_of(const Light& light, const Vec3& point, const Vec3& normal,
+                const Visibility& visible, const WidthOptions& options) {
     const auto width = width_of(light, point, normal);
     return width ? visible_share(*width, visible, options) : 0;
 }
 
+} // namespace
+
+double visible_share(const PolygonLight& light, const Vec3& point, const Vec3& normal,
+                     const Visibility& visible, const WidthOptions& options) {
+    return share_of(light, point, normal, visible, options);
+}
+
 double visible_share(const SphereLight& light, const Vec3& point, const Vec3& normal,
                      const Visibility& visible, const WidthOptions& options) {
-    const auto width = width_of(light, point, normal);
-    return width ? visible_share(*width, visible, options) : 0;
+    return share_of(light, point, normal, visible, options);
+}
+
+double visible_share(const DiscLight& light, const Vec3& point, const Vec3& normal,
+                     const Visibility& visible, const WidthOptions& options) {
+    return share_of(light, point, normal, visible, options);
+}
+
+double visible_share(const FrustumLight& light, const Vec3& point, const Vec3& normal,
+                     const Visibility& visible, const WidthOptions& options) {
+    return share_of(light, point, normal, visible, options);
+}
+
+double visible_share(const EllipsoidLight& light, const Vec3& point, const Vec3& normal,
+                     const Visibility& visible, const WidthOptions& options) {
+    return share_of(light, point, normal, visible, options);
 }
 
 } // namespace keiko

@@ -3,18 +3,15 @@
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/luminance/elevations.h"
 #include "keiko/light/luminance/flush.h"
-#include "keiko/math/axes.h"
 #include "keiko/math/convex_clip.h"
 #include "keiko/math/polygon.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace keiko {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 /// Angle, rad, under which a plane must be viewed for its light to be more than rounding.
 constexpr double edge_on = 1e-9;
 /// Share of a width that the outermost lines lie within it, as a line along a side has no length.
@@ -157,48 +154,6 @@ std::vector<ParameterInterval> PolygonWidth::chords(double v) const {
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
         chords.push_back({crossings[i], crossings[i + 1]});
     return chords;
-}
-
-std::optional<SphereWidth> SphereWidth::of(const SphereLight& light, const Vec3& point,
-                                           const Vec3& normal) {
-    if (!((light.center - point).length() > light.radius)) return std::nullopt;
-    const Disc outline = outline_of(light, point);
-    const Vec3 level = outline.normal.cross(normal);
-    const Vec3 along = level.length() > edge_on ? level : any_perpendicular(outline.normal);
-    SphereWidth width(light, outline, along.normalized(), point, normal);
-    if (!(width.half_ > 0) || !(width.distance() > 0)) return std::nullopt;
-    return width;
-}
-
-SphereWidth::SphereWidth(const SphereLight& light, const Disc& outline, const Vec3& along,
-                         const Vec3& point, const Vec3& normal)
-    : AreaWidth(outline.center, -outline.normal, along, point, normal),
-      light_(light),
-      radius_(outline.radius) {
-    set_extent({-radius_, radius_});
-    // The horizon runs along the lines. It is met where elevation({0, v}) is 0.
-    const double slope = n_across() * radius_, height = n_ahead() * distance();
-    const double horizon = std::abs(slope) > 0 ? -height / std::abs(slope) : height > 0 ? -1 : 1;
-    const double lowest = std::asin(std::clamp(horizon, -1.0, 1.0));
-    middle_ = (lowest + pi / 2) / 2 * (slope < 0 ? -1 : 1);
-    half_ = (pi / 2 - lowest) / 2;
-}
-
-SubAxis SphereWidth::sub_axis(double place) const {
-    const double angle = middle_ + half_ * place, v = radius_ * std::sin(angle);
-    const double r2 = distance() * distance() + v * v;
-    return line_at(v, half_ * radius_ * std::cos(angle) * distance() / r2);
-}
-
-double SphereWidth::place_in(const Vec3& way) const {
-    const double psi = wedge_angle(way), sine = distance() * std::tan(psi) / radius_;
-    if (!(std::abs(psi) < pi / 2) || !(std::abs(sine) < 1)) return std::copysign(2, psi);
-    return (std::asin(sine) - middle_) / half_;
-}
-
-std::vector<ParameterInterval> SphereWidth::chords(double v) const {
-    const double half = std::sqrt(std::max(0.0, (radius_ - v) * (radius_ + v)));
-    return {{-half, half}};
 }
 
 } // namespace keiko

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "keiko/light/areas/area_lights.h"
-#include "keiko/light/luminance/projected_solid_angle.h"
 #include "keiko/light/penumbra/source_width.h"
 #include "keiko/math/interval_set.h"
 #include "keiko/math/vec.h"
@@ -93,39 +92,10 @@ private:
     double middle_ = 0, half_ = 0; ///< wedge angle of place 0, and from there to place 1
 };
 
-/// Lines of the outline of a sphere above the horizon, parallel to the horizon. A place is uniform
-/// in the angle about the outline's middle.
-class SphereWidth final : public AreaWidth {
-public:
-    /// nullopt if the sphere sends no light to the surface element.
-    static std::optional<SphereWidth> of(const SphereLight& light, const Vec3& point,
-                                         const Vec3& normal);
-    SubAxis sub_axis(double place) const override;
-    std::vector<double> cuts() const override { return {-1, 1}; }
-    double place_in(const Vec3& way) const override;
-    Vec3 place(const SubAxis& axis, double half_tangent) const override {
-        const Vec3 way = direction(axis, half_tangent);
-        return point() + way * entry_of(light_, point(), way);
-    }
-
-private:
-    SphereWidth(const SphereLight& light, const Disc& outline, const Vec3& along, const Vec3& point,
-                const Vec3& normal);
-    std::vector<ParameterInterval> chords(double v) const override;
-
-    SphereLight light_;
-    double radius_;                ///< of the outline
-    double middle_ = 0, half_ = 0; ///< angle of place 0, and from there to place 1
-};
-
 /// Lines of a light; nullopt if it sends none to the surface element.
 inline std::optional<PolygonWidth> width_of(const PolygonLight& light, const Vec3& point,
                                             const Vec3& normal) {
     return PolygonWidth::of(light, point, normal);
-}
-inline std::optional<SphereWidth> width_of(const SphereLight& light, const Vec3& point,
-                                           const Vec3& normal) {
-    return SphereWidth::of(light, point, normal);
 }
 
 } // namespace keiko

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/light/luminance/disc.h"
 #include "keiko/math/vec.h"
 
 #include <span>
@@ -13,13 +14,6 @@ namespace keiko {
 /// 1e-11. Corners are in either order, and both faces count. It is 0 for fewer than three corners
 /// and for a polygon viewed edge-on. Any unit of length.
 double projected_solid_angle(std::span<const Vec3> corners, const Vec3& point, const Vec3& normal);
-
-/// A flat round disc; `normal` is the unit vector of its face, lengths in one unit of any kind.
-struct Disc {
-    Vec3 center{0};       ///< of the rim
-    Vec3 normal{0, 0, 1}; ///< unit vector of its axis
-    double radius = 0;    ///< from 0
-};
 
 /// Projected solid angle in sr, 0 to pi, of the part of a disc that lies above the horizon of
 /// `point` with unit `normal`. Both faces of the disc count; 0 if it is viewed edge-on. Stokes'

@@ -28,9 +28,7 @@ SliceRule WidthShare::rule_of(const Slices& part) const {
 /// missed between lines.
 void WidthShare::look_between(const SourceWidth& width, const Visibility& visible) {
     const double spacing = options_.widest_spacing / 2, allowed = options_.tolerance;
-    const auto line = [&](double place) { return width.line_of(width.sub_axis(place)); };
-    const Prism lines{line(-1), line(0), line(0), line(1)};
-    const std::vector<CriticalSlice> found = visible.turns(lines, {spacing, allowed / 2});
+    const std::vector<CriticalSlice> found = visible.turns(width.around(), {spacing, allowed / 2});
     if (found.empty()) return;
     const bool agree = parts_.size() == 1 && ends_and_middle_agree(parts_[0], rule_of(parts_[0]));
     const std::vector<WidthCut> cuts =
@@ -54,9 +52,7 @@ void WidthShare::cut_at(const SourceWidth& width, std::span<const WidthCut> cuts
 
 double visible_share(const SourceWidth& width, const Visibility& visible,
                      const WidthOptions& options) {
-    const Segment first = width.line_of(width.sub_axis(-1));
-    const Segment last = width.line_of(width.sub_axis(1));
-    const Prism around{first, first, last, last};
+    const Prism around = width.around();
     if (const auto whole = visible.classify_prisms({&around, 1}).front()) return *whole ? 1 : 0;
     WidthShare share(width, options);
     std::vector<Segment> lines;

@@ -1,5 +1,7 @@
 #include "keiko/light/areas/area_gloss.h"
 #include "keiko/light/areas/area_irradiance.h"
+#include "keiko/light/areas/ellipse_width.h"
+#include "keiko/light/areas/frustum_width.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/gloss_slice.h"
 #include "keiko/light/luminance/photometry.h"

@@ -1,5 +1,7 @@
 #include "keiko/light/areas/area_integral.h"
 #include "keiko/light/areas/area_irradiance.h"
+#include "keiko/light/areas/ellipse_width.h"
+#include "keiko/light/areas/frustum_width.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/surface_light.h"

@@ -48,8 +48,9 @@ struct Sun {
 };
 
 /// Every kind of light source a rig can hold.
-using LightSource = std::variant<CPlane, Spotlight, Luminaire, Sun, PolygonLight, SphereLight,
-                                 PointSource, LineLight, SkyLight>;
+using LightSource =
+    std::variant<CPlane, Spotlight, Luminaire, Sun, PolygonLight, SphereLight, PointSource,
+                 LineLight, SkyLight, DiscLight, FrustumLight, EllipsoidLight>;
 
 /// Lights with an extent that are no rows of tubes. They light surfaces alone, and no medium.
 template <class Light>

@@ -28,8 +28,9 @@ struct LampRow {
 class PreparedSource {
 public:
     /// Kinds of sources in the order of LightSource.
-    using Kind = std::variant<LampRow, Spotlight, Luminaire, Sun, PolygonLight, SphereLight,
-                              PointSource, LineLight, SkyLight>;
+    using Kind =
+        std::variant<LampRow, Spotlight, Luminaire, Sun, PolygonLight, SphereLight, PointSource,
+                     LineLight, SkyLight, DiscLight, FrustumLight, EllipsoidLight>;
 
     template <std::convertible_to<LightSource> Source>
     PreparedSource(const Source& source) : kind_(prepare(source)) {}
@@ -55,8 +56,9 @@ struct PreparedRig {
     PreparedRig(LightRig&&) = delete;
 };
 
-/// True if the light of a source is undefined at a point (mm): inside the glass of one of its
-/// tubes, inside a sphere, on a panel or a line, and at a point light. The glass itself is outside.
+/// True if the light of a source is undefined at a point (mm). That is inside the glass of one of
+/// its tubes, inside a body, on a panel, a disc or a line, and at a point light. The glass itself
+/// is outside.
 bool within_lamp(const PreparedSource& source, const Vec3& point);
 
 } // namespace keiko

@@ -4,6 +4,7 @@
 #include "keiko/light/luminance/flush.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace keiko {
 namespace {
@@ -15,15 +16,33 @@ Box3 box_around(const Light& light) {
     return box;
 }
 
+template <AreaLight Light>
+bool is_shown(const Light& /*light*/) {
+    return true;
+}
+bool is_shown(const PolygonLight& light) {
+    return light.shown;
+}
+
+template <AreaLight Light>
+const Light& shape_of(const Light& light) {
+    return light;
+}
+PanelOutline shape_of(const PolygonLight& light) {
+    return PanelOutline(light);
+}
+
 } // namespace
 
 RigAreas::RigAreas(const LightRig& rig) {
-    for (const LightSource& source : rig.sources) {
-        if (const auto* panel = std::get_if<PolygonLight>(&source))
-            areas_.push_back({PanelOutline(*panel), panel->luminance, box_around(*panel)});
-        if (const auto* sphere = std::get_if<SphereLight>(&source))
-            areas_.push_back({*sphere, sphere->luminance, box_around(*sphere)});
-    }
+    for (const LightSource& source : rig.sources)
+        std::visit(
+            [&](const auto& light) {
+                if constexpr (AreaLight<std::decay_t<decltype(light)>>)
+                    if (is_shown(light))
+                        areas_.push_back({shape_of(light), light.luminance, box_around(light)});
+            },
+            source);
 }
 
 std::vector<RigAreas::Layer> RigAreas::along(const Vec3& origin, const Vec3& direction,

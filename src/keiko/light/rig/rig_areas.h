@@ -11,10 +11,10 @@
 
 namespace keiko {
 
-/// The panels and spheres of a rig, prepared for camera rays and reflected rays.
+/// The panels, spheres and curved lights of a rig, prepared for camera rays and reflected rays.
 class RigAreas {
 public:
-    /// A panel or a sphere along a ray.
+    /// An area light along a ray.
     struct Layer {
         AreaHit hit;   ///< its distance, and the share of the pixel that it fills
         Rgb luminance; ///< cd/m2
@@ -33,9 +33,9 @@ public:
     std::vector<Box3> boxes() const;
 
 private:
-    /// A panel or a sphere, prepared for rays.
+    /// An area light, prepared for rays.
     struct Area {
-        std::variant<PanelOutline, SphereLight> shape;
+        std::variant<PanelOutline, SphereLight, DiscLight, FrustumLight, EllipsoidLight> shape;
         Rgb luminance; ///< cd/m2
         Box3 box;
     };

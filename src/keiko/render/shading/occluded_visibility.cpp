@@ -1,6 +1,7 @@
 #include "keiko/render/shading/occluded_visibility.h"
 
 #include "keiko/base/job.h"
+#include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/spotlight/point_light.h"
 
 namespace keiko {
@@ -25,6 +26,10 @@ struct ViewpointOf {
         return Viewpoint::at(light.corners.front());
     }
     Viewpoint operator()(const SphereLight& light) const { return Viewpoint::at(light.center); }
+    template <CurvedLight Light>
+    Viewpoint operator()(const Light& light) const {
+        return Viewpoint::at(sphere_around(light).center);
+    }
     Viewpoint operator()(const LineLight& light) const { return Viewpoint::at(light.a); }
     Viewpoint operator()(const SkyLight&) const { return Viewpoint::towards({0, 0, 1}); }
 };

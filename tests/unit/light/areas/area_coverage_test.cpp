@@ -68,6 +68,13 @@ int compare_with_rays(const Light& light, double allowed) {
 TEST(AreaCoverage, IsTheMeanOverTheRaysOfAPixel) {
     EXPECT_GT(compare_with_rays(PanelOutline(angle), 0.01), 2);
     EXPECT_GT(compare_with_rays(globe, 0.02), 2);
+    EXPECT_GT(compare_with_rays(DiscLight{{150, 50, 900}, Vec3(0.6, 0, -0.8), 350}, 0.02), 2);
+    EXPECT_GT(compare_with_rays(
+                  EllipsoidLight{{100, -50, 900}, {300, 0, 100}, {0, 200, 0}, {-50, 0, 150}}, 0.02),
+              2);
+    EXPECT_GT(compare_with_rays(FrustumLight{{-100, -50, 900}, {400, 200, 1100}, 150, 250}, 0.02),
+              2);
+    EXPECT_GT(compare_with_rays(FrustumLight{{100, 50, 900}, {150, 80, 1300}, 100, 500}, 0.02), 2);
 }
 
 TEST(AreaCoverage, IsWholeWithinAndNothingBeside) {

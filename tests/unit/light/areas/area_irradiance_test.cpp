@@ -2,6 +2,7 @@
 
 #include "keiko/light/areas/area_gloss.h"
 #include "keiko/light/areas/area_penumbra.h"
+#include "keiko/light/areas/ellipse_width.h"
 #include "keiko/math/axes.h"
 #include "keiko/math/quadrature.h"
 

@@ -1,6 +1,7 @@
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/luminance/clear_coat.h"
 #include "keiko/light/luminance/gloss_kernel.h"
+#include "keiko/light/rig/primitive_lights.h"
 #include "keiko/light/rig/rig_areas.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/light/tubes/tube_irradiance.h"
@@ -57,6 +58,76 @@ TEST(AreaRig, TubeOfPanelsIsTheExactTube) {
     const double exact =
         irradiance(tube, origin, normal, IntervalSet::whole(), TubeModel::cylinder).g;
     EXPECT_NEAR(sum, exact, 1e-4 * exact);
+}
+
+Rgb lit_by(const std::vector<LightSource>& lights, const std::optional<Medium>& medium,
+           const Vec3& normal, const ClearCoat* coat = nullptr) {
+    Rgb sum;
+    for (const LightSource& light : lights)
+        sum += illuminance_from(light, medium, origin, normal, Unoccluded(), TubeModel::automatic,
+                                coat);
+    return sum;
+}
+
+/// With its ends, from beside it and from beyond them.
+TEST(AreaRig, PrimitiveCylinderIsTheExactTube) {
+    CPlane row;
+    row.origin = {-700, 100, 1100}, row.u = {1200, 0, 0};
+    row.v = {0, 300, 0}, row.lamps = 1, row.diameter = 180, row.luminance = Rgb(1);
+    row.luminous_caps = true, row.diffuse = TubeModel::cylinder;
+    const TubeLamp lamp = lamps_of(row).at(0);
+    const FrustumShape shape{lamp.a, lamp.b, 90, 90, false};
+    const std::vector<LightSource> body = lights_of(shape, Rgb(1));
+    for (const Vec3& normal : {up, Vec3(0.8, 0, 0.6), Vec3(-0.6, 0.64, -0.48)})
+        for (const Vec3& at : {Vec3(0), Vec3(2500, 300, 900), Vec3(900, 260, 1090)}) {
+            double sum = 0;
+            for (const LightSource& part : body)
+                sum += illuminance_from(part, {}, at, normal, Unoccluded()).g;
+            const double exact = illuminance_from(row, {}, at, normal, Unoccluded()).g;
+            EXPECT_NEAR(sum, exact, 1e-4 * exact + 1e-12) << at;
+        }
+}
+
+/// A cone in four parts along it, through a coat and fog.
+TEST(AreaRig, PartsOfAConeAddUpThroughACoatAndFog) {
+    const ClearCoat coat(Rgb(0.5), 1.5);
+    const Medium fog{.extinction = Rgb(0.3, 0.6, 1.2)};
+    const FrustumLight cone{{-600, 150, 800}, {700, 150, 900}, 120, 240, Rgb(1)};
+    std::vector<LightSource> parts;
+    for (int i = 0; i < 4; ++i) {
+        const auto at = [&](double t) { return cone.from + (cone.to - cone.from) * t; };
+        const auto radius = [&](double t) { return 120 + 120 * t; };
+        parts.emplace_back(FrustumLight{at(i / 4.0), at((i + 1) / 4.0), radius(i / 4.0),
+                                        radius((i + 1) / 4.0), Rgb(1)});
+    }
+    for (const Vec3& normal : {up, Vec3(0.8, 0, 0.6), Vec3(-0.36, 0.48, 0.8)}) {
+        const Rgb one = lit_by({cone}, fog, normal, &coat),
+                  many = lit_by(parts, fog, normal, &coat);
+        EXPECT_GT(many.b, 1e-3);
+        EXPECT_NEAR(one.r, many.r, 1e-3 * many.r);
+        EXPECT_NEAR(one.b, many.b, 1e-3 * many.b);
+    }
+}
+
+/// A lobe of a cone is that of its parts, and of an ellipsoid that is a sphere the sphere's.
+TEST(AreaRig, LobesOfCurvedLights) {
+    const Vec3 eye = Vec3(-0.5, 0.3, 1).normalized();
+    const Gloss gloss{.distribution = {DistributionKind::trowbridge_reitz, 0.15}};
+    const GlossKernel kernel(gloss, up, eye);
+    const auto lobe = [&](const std::vector<LightSource>& lights) {
+        LightRig rig;
+        rig.sources = lights;
+        return glossy_luminance(rig, origin, kernel, Unoccluded(), GlossQuadrature::number).g;
+    };
+    const FrustumLight cone{{200, -500, 800}, {600, 300, 900}, 120, 240, Rgb(100)};
+    FrustumLight first = cone, second = cone;
+    first.to = second.from = Vec3(400, -100, 850), first.to_radius = second.radius = 180;
+    const double whole = lobe({cone});
+    EXPECT_GT(whole, 1);
+    EXPECT_NEAR(whole, lobe({first, second}), 1e-4 * whole);
+    const SphereLight ball{{400, -300, 900}, 350, Rgb(100)};
+    const EllipsoidLight same{ball.center, {0, 350, 0}, {0, 0, 350}, {350, 0, 0}, Rgb(100)};
+    EXPECT_NEAR(lobe({ball}), lobe({same}), 1e-4 * lobe({ball}));
 }
 
 TEST(AreaRig, LightIsLuminanceTimesProjectedSolidAngle) {
