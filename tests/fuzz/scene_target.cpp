@@ -9,7 +9,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     constexpr const char* source = KEIKO_SOURCE_DIR "/surfaces/scene.toml";
     fuzz::accepts([&] {
         const SceneSpec scene = parse_scene(fuzz::text_of(data, size), source);
-        fuzz::require(!scene.models.empty(), "a scene has a model");
+        fuzz::require(!scene.models.empty() || !scene.primitives.empty(), "a scene has a body");
         fuzz::require(scene.width > 0 && scene.height > 0, "a picture has a size");
     });
     return 0;

@@ -116,6 +116,9 @@ MapValues SurfaceMaps::values(const MapPlace& place) const {
             case MappedQuantity::transmission:
                 values.transmission *= clamped(factor(prepared, place));
                 break;
+            case MappedQuantity::emission:
+                values.emission *= factor(prepared, place);
+                break;
             case MappedQuantity::bump:
             case MappedQuantity::normal:
                 break;

@@ -25,6 +25,7 @@ struct MapValues {
     double roughness = 1; ///< of the width of the border's lobe
     Rgb gloss{1};         ///< 0 to 1, of what the border mirrors
     Rgb transmission{1};  ///< 0 to 1, of what passes glass
+    Rgb emission{1};      ///< of the luminance that the material emits
 };
 
 /// The maps of a material, prepared.

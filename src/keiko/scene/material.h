@@ -5,6 +5,7 @@
 #include "keiko/math/rgb.h"
 #include "keiko/scene/material_map.h"
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <string>
@@ -49,13 +50,30 @@ struct Material {
     std::optional<Roughness> roughness{}; ///< of the coat or the metal; none: a smooth mirror
     std::optional<FlakeLayer> flakes{};   ///< none by default
     std::vector<MaterialMap> maps{};      ///< that vary it over a surface
+    Rgb emits{0}; ///< cd/m2, alike in all directions, beside what it reflects
 
     bool operator==(const Material&) const = default;
 };
 
+/// True if a material emits light of a luminance that a map varies.
+inline bool has_emission_map(const Material& material) {
+    return std::any_of(material.maps.begin(), material.maps.end(), [](const MaterialMap& map) {
+        return map.drives == MappedQuantity::emission;
+    });
+}
+
 /// Moves the maps of a material with its model.
 inline void place_maps(const Affine& motion, Material& material) {
     for (MaterialMap& map : material.maps) map.placement = motion * map.placement;
+}
+
+/// True for each of some faces whose material casts no shadow: glass, and what emits light, as
+/// lamps hide nothing.
+inline std::vector<bool> shadowless_faces(std::span<const Material> materials) {
+    std::vector<bool> faces;
+    for (const Material& material : materials)
+        faces.push_back(material.glass.has_value() || material.emits != Rgb(0));
+    return faces;
 }
 
 /// True for each of some faces whose material is glass.

@@ -42,7 +42,8 @@ enum class MappedQuantity {
     gloss,        ///< share of what the border mirrors that is kept
     transmission, ///< share of what passes glass that is kept
     bump,         ///< height of the surface
-    normal        ///< normal of the surface, from a picture
+    normal,       ///< normal of the surface, from a picture
+    emission      ///< luminance that the material emits
 };
 
 /// Kinds of textures.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/model/primitive.h"
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/math/affine.h"
 #include "keiko/scene/camera.h"
@@ -38,6 +39,13 @@ struct ModelSpec {
     std::vector<PaintOverride> overrides{}; ///< later ones win
 };
 
+/// A primitive of a scene: a body, or a lamp if its material emits light.
+struct PrimitiveSpec {
+    PrimitiveShape shape; ///< in the scene's coordinates
+    std::string name;     ///< of its faces
+    Material material;    ///< of all of it
+};
+
 /// The floor that a scene stands on.
 struct GroundSpec {
     double z = 0;      ///< mm
@@ -69,6 +77,7 @@ struct Animation {
 /// A scene file's content (keiko-scene/1), every path resolved.
 struct SceneSpec {
     std::vector<ModelSpec> models;                ///< in the order of the file
+    std::vector<PrimitiveSpec> primitives{};      ///< bodies, in the order of the file
     std::optional<Camera> camera;                 ///< nullopt: `view`, or neither
     std::optional<std::string> view;              ///< a named view instead of a camera
     int width = 960, height = 540;                ///< picture size, for named views

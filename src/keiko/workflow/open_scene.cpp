@@ -8,6 +8,7 @@
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/maps/scene_maps.h"
+#include "keiko/workflow/luminous_faces.h"
 #include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/shadow_casters.h"
 
@@ -22,10 +23,10 @@ SurfaceModel on_ground(const SurfaceModel& body, const Box3& bounds, double z) {
     return merge(models);
 }
 
-/// Occluders of a visible model: all but glass.
+/// Occluders of a visible model: all but glass and lamps.
 Occluders casters(const SurfaceModel& seen, const Tracer& tracer,
                   const std::vector<Material>& materials, const Job& job) {
-    return occluders_without(seen, tracer, glass_faces(materials), job);
+    return occluders_without(seen, tracer, shadowless_faces(materials), job);
 }
 
 /// Traced form of a scene.
@@ -91,17 +92,26 @@ void take_maps(Scene& scene, const std::optional<EnvironmentSpec>& environment) 
         scene.maps = std::make_shared<const SceneMaps>(materials, scene.model, environment);
 }
 
+/// Adds the lights of bodies that are lamps.
+void take_lamps(Scene& scene, std::vector<LightSource> lamps) {
+    if (lamps.empty()) return;
+    if (!scene.rig) scene.rig.emplace();
+    scene.rig->sources.insert(scene.rig->sources.end(), lamps.begin(), lamps.end());
+}
+
 /// Weights of the steps of opening a scene.
-constexpr double reading = 3, building = 1, following = 1;
+constexpr double reading = 3, dividing = 1, building = 1, following = 1;
 
 double weight_of_preparing(const SceneOptions& options) {
-    return building + (options.analysis ? following : 0);
+    return dividing + building + (options.analysis ? following : 0);
 }
 
 /// The scene of a body that has been read.
 Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& options,
                JobSteps& steps) {
     auto& [body, materials] = painted;
+    std::vector<LightSource> lamps =
+        luminous_faces(body, materials, options.load, steps.next(dividing));
     Traced all = traced(body, materials, spec.ground, options, steps.next(building));
     Scene scene{.model = std::move(body),
                 .materials = std::move(materials),
@@ -116,6 +126,7 @@ Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& o
                 .surroundings = std::move(all.surroundings),
                 .max_depth = spec.max_depth,
                 .min_weight = spec.min_weight};
+    take_lamps(scene, std::move(lamps));
     take_maps(scene, spec.environment);
     if (options.analysis) take_analysis(scene, *options.analysis, steps.next(following));
     return scene;

@@ -68,6 +68,10 @@ PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const J
         require_matches(model, part);
         models.push_back(std::move(model));
     }
+    for (const PrimitiveSpec& part : spec.primitives) {
+        models.push_back(primitive_model(part.shape, part.name));
+        materials.insert(materials.end(), models.back().faces.size(), part.material);
+    }
     return {merge(models), std::move(materials)};
 }
 

@@ -80,7 +80,9 @@ TEST(MapTable, RefusesWhatAMaterialOrATextureDoesNotHave) {
     const std::string noise = "texture = { kind = \"noise\" }\n";
     EXPECT_EQ(map("drives = \"difuse\"\n" + noise),
               "m.toml:6:10: material[0].map[0].drives: 'difuse' is none of diffuse, roughness, "
-              "gloss, transmission, bump, normal (did you mean 'diffuse'?)");
+              "gloss, transmission, bump, normal, emission (did you mean 'diffuse'?)");
+    EXPECT_EQ(map("drives = \"emission\"\n" + noise),
+              "m.toml:6:10: material[0].map[0].drives: needs a material that emits");
     EXPECT_EQ(map("drives = \"roughness\"\n" + noise),
               "m.toml:6:10: material[0].map[0].drives: needs a material with roughness");
     EXPECT_EQ(map("drives = \"transmission\"\n" + noise),

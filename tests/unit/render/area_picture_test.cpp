@@ -1,5 +1,6 @@
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/luminance/fresnel.h"
+#include "keiko/light/rig/rig_areas.h"
 #include "keiko/visibility/query/occluders.h"
 
 #include "tests/unit/render/stage.h"
@@ -89,6 +90,38 @@ TEST(AreaPicture, MirroredFootprintsAgreeWithSupersampling) {
     const Difference sphere = to_supersampling(stage, 5);
     EXPECT_LT(sphere.largest, 10);
     EXPECT_LT(sphere.many, 0.01);
+}
+
+TEST(AreaPicture, MirroredCurvedLightsAgreeWithSupersampling) {
+    Stage stage(flat_plate(), 30);
+    for (Material& material : stage.materials) material.diffuse = Rgb(0);
+    const Rgb color(100, 500, 900);
+    const std::array<LightSource, 4> lights{
+        EllipsoidLight{{300, 1700, 1500}, {600, 0, 200}, {0, 300, 0}, {-50, 0, 250}, color},
+        DiscLight{{0, 2000, 1500}, Vec3(0.6, 0, -0.8), 600, color},
+        FrustumLight{{-600, 1500, 1300}, {700, 2000, 1700}, 250, 100, color},
+        FrustumLight{{0, 2000, 1200}, {0, 1900, 2300}, 100, 700, color}};
+    for (const LightSource& light : lights) {
+        stage.rig.sources = {light};
+        const Difference off = to_supersampling(stage, 5);
+        EXPECT_LT(off.largest, 10) << light.index();
+        EXPECT_LT(off.many, 0.01) << light.index();
+    }
+}
+
+/// Beside what it reflects, here nothing.
+TEST(AreaPicture, EmittingMaterialShowsItsLuminance) {
+    Stage stage(flat_plate());
+    const double dark = green(stage.render(), 48, 27);
+    for (Material& material : stage.materials) material.emits = Rgb(30, 40, 50);
+    EXPECT_NEAR(green(stage.render(), 48, 27), dark + 40, 1e-4);
+}
+
+/// A body's face stands for it.
+TEST(AreaPicture, LightOfABodyIsNotShownItself) {
+    LightRig rig;
+    rig.sources = {globe, PolygonLight{sky.corners, sky.luminance, true, false}};
+    EXPECT_EQ(RigAreas(rig).boxes().size(), 1U);
 }
 
 /// The camera sees panels and spheres beside the body, before the background.

@@ -26,12 +26,16 @@ void take_distortion(const TomlTable& table, double otherwise, TextureSpec& text
     texture.distortion = table.number("distortion", {.low = 0, .high = 100}).value_or(otherwise);
 }
 
-/// Pictures of reflectances are sRGB unless their format holds linear light.
+bool is_color(MappedQuantity quantity) {
+    return quantity == MappedQuantity::diffuse || quantity == MappedQuantity::emission;
+}
+
+/// Pictures of reflectances and luminances are sRGB unless their format holds linear light.
 void take_picture(const TomlTable& table, MappedQuantity drives, TextureSpec& texture) {
     texture.file = table.required("file", path_from(table, "file"));
     const std::string extension = lower_case(texture.file.extension().string());
     const bool linear = extension == ".exr" || extension == ".hdr";
-    texture.srgb = table.flag("srgb").value_or(drives == MappedQuantity::diffuse && !linear);
+    texture.srgb = table.flag("srgb").value_or(is_color(drives) && !linear);
 }
 
 void take_bricks(const TomlTable& table, TextureSpec& texture) {
@@ -200,6 +204,8 @@ void require_owner(const TomlTable& map, MappedQuantity drives, const Material& 
                                  "a border: a refractive_index above 1, or a metal");
         case MappedQuantity::transmission:
             return refuse_unless(material.glass.has_value(), "glass");
+        case MappedQuantity::emission:
+            return refuse_unless(material.emits != Rgb(0), "a material that emits");
         case MappedQuantity::bump:
         case MappedQuantity::normal:
             return;
@@ -236,9 +242,9 @@ void require_texture(const TomlTable& table, const MaterialMap& map) {
 
 MaterialMap map_from(const TomlTable& table, const Material& material) {
     MaterialMap map;
-    map.drives = static_cast<MappedQuantity>(
-        table.required("drives", table.choice("drives", {"diffuse", "roughness", "gloss",
-                                                         "transmission", "bump", "normal"})));
+    map.drives = static_cast<MappedQuantity>(table.required(
+        "drives", table.choice("drives", {"diffuse", "roughness", "gloss", "transmission", "bump",
+                                          "normal", "emission"})));
     require_owner(table, map.drives, material);
     const auto texture = table.table("texture");
     if (!texture) table.refuse_missing("texture");

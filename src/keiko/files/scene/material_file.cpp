@@ -101,6 +101,7 @@ Material material_from(const TomlTable& table) {
     }
     if (material.roughness && !material.metal && material.refractive_index == 1)
         throw table.error("roughness", "needs a border: a refractive_index above 1, or a metal");
+    material.emits = table.rgb("emits", TomlLimits::light()).value_or(material.emits);
     material.maps = maps_from(table, material);
     table.finish();
     return material;

@@ -5,7 +5,9 @@
 #include "keiko/files/scene/environment_table.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/files/scene/rig_tables.h"
 #include "keiko/files/toml/toml_reader.h"
+#include "keiko/light/rig/primitive_lights.h"
 #include "keiko/scene/animation.h"
 #include "keiko/scene/view.h"
 
@@ -178,6 +180,27 @@ void take_environment(const TomlTable& root, SceneSpec& scene) {
         throw root.error("environment", "hides the sky: give either [environment] or [sky]");
 }
 
+/// A [[primitive]] with a material: a lamp of the scene's rig if that emits even light, else a
+/// body, which may be one too.
+void take_primitive(const TomlTable& table, const std::vector<Material>& materials,
+                    SceneSpec& scene) {
+    PrimitiveSpec primitive;
+    primitive.shape = primitive_shape_from(table);
+    primitive.material = material_of(table, materials);
+    if (table.has("luminance") || table.has("luminous_flux") || table.has("color"))
+        throw table.error("material", "give either a material, which may emit, or a luminance");
+    primitive.name =
+        table.text("name").value_or("primitive." + std::to_string(scene.primitives.size()));
+    table.finish();
+    if (primitive.material.emits == Rgb(0) || has_emission_map(primitive.material)) {
+        scene.primitives.push_back(std::move(primitive));
+        return;
+    }
+    if (!scene.rig) scene.rig.emplace();
+    for (LightSource& light : lights_of(primitive.shape, primitive.material.emits))
+        scene.rig->sources.push_back(std::move(light));
+}
+
 GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& materials) {
     GroundSpec ground;
     ground.z = table.number("z", TomlLimits::place()).value_or(ground.z);
@@ -216,14 +239,16 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     scene.rig = rig_of(root);
     scene.background = root.rgb("background", TomlLimits::light()).value_or(scene.background);
     take_environment(root, scene);
+    for (const TomlTable& table : root.tables("primitive"))
+        if (table.has("material")) take_primitive(table, materials, scene);
     if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
     scene.min_weight = root.number("min_weight", TomlLimits::share());
     for (const TomlTable& table : root.tables("animation"))
         scene.animations.push_back(animation_from(table, scene));
-    root.not_yet({"primitive"});
     root.finish();
-    if (scene.models.empty()) throw root.error("", "the scene has no [[model]]");
+    if (scene.models.empty() && scene.primitives.empty())
+        throw root.error("", "the scene has no body: neither [[model]] nor [[primitive]]");
     return scene;
 }
 

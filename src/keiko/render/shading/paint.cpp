@@ -72,13 +72,15 @@ Paint::Paint(const Material& material)
       flake_albedo_(table_of(flakes_)),
       mirror_(border_of(material)),
       base_(coat_of(material, gloss_albedo_)),
-      takes_light_(gloss_ || flakes_ || base_of(material) != Rgb(0)) {}
+      takes_light_(gloss_ || flakes_ || base_of(material) != Rgb(0)),
+      emitted_(material.emits) {}
 
 Paint Paint::varied(const Material& material, const MapValues& values) const {
     Paint paint = *this;
     if (takes_light_)
         paint.base_ =
             base_.with_base(base_of(material, reflectance(material.diffuse * values.diffuse)));
+    paint.emitted_ = material.emits * values.emission;
     paint.gloss_share_ = values.gloss;
     paint.passed_share_ = values.transmission;
     if (gloss_) {

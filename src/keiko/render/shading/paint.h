@@ -37,6 +37,8 @@ public:
     const std::optional<Gloss>& gloss() const { return gloss_; }
     /// Lobe of the flakes, if there are any.
     const std::optional<Flakes>& flakes() const { return flakes_; }
+    /// cd/m2 that it emits in all directions.
+    const Rgb& emitted() const { return emitted_; }
     /// True if it reflects any light other than sharply.
     bool takes_light() const { return takes_light_; }
     /// Width in radians of a square of directions that stands for the widest lobe.
@@ -53,6 +55,7 @@ private:
     Reflectance mirror_;
     ClearCoat base_;
     bool takes_light_;
+    Rgb emitted_;
     Rgb gloss_share_{1}, passed_share_{1};
 };
 

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "keiko/base/job.h"
+#include "keiko/import/worker/load_model.h"
+#include "keiko/light/rig/light_rig.h"
+#include "keiko/scene/material.h"
+
+#include <span>
+#include <vector>
+
+namespace keiko {
+
+/// The lights of a body's faces whose material, one a face, emits light
+/// (docs/theory/areas.md#bodies-as-lamps). A flat face with one outline is a panel, any other its
+/// triangles, whose luminance is such that they send the flux of the exact surface. Of a luminance
+/// that maps vary the triangles are smaller, and have its mean each. Lights shine outwards, and are
+/// not shown, as the body itself is. Throws Error naming a face that cannot be divided into
+/// triangles, and as mesh_in_worker does.
+std::vector<LightSource> luminous_faces(const SurfaceModel& body,
+                                        std::span<const Material> materials,
+                                        const LoadOptions& options, const Job& job);
+
+} // namespace keiko

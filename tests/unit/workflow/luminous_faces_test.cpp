@@ -1,0 +1,129 @@
+#include "keiko/workflow/luminous_faces.h"
+
+#include "keiko/api/scene.h"
+#include "keiko/light/rig/primitive_lights.h"
+#include "keiko/light/rig/surface_light.h"
+#include "keiko/maps/surface_maps.h"
+
+#include "tests/support/paths.h"
+#include "tests/support/temporary_folder.h"
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+
+namespace keiko {
+namespace {
+
+Material luminous(const Rgb& luminance) {
+    Material material;
+    material.emits = luminance;
+    return material;
+}
+
+std::vector<LightSource> lights_of_model(const SurfaceModel& model) {
+    const std::vector<Material> materials(model.faces.size(), luminous(Rgb(7)));
+    return luminous_faces(model, materials, {}, {});
+}
+
+double lit_by(const std::vector<LightSource>& lights, const Vec3& point, const Vec3& normal) {
+    double sum = 0;
+    for (const LightSource& light : lights)
+        sum += illuminance_from(light, {}, point, normal, Unoccluded()).g;
+    return sum;
+}
+
+/// Each face is a panel, outwards, also where an instance mirrors it.
+TEST(LuminousFaces, PolyhedronIsExact) {
+    const BoxShape box{{-100, -50, 500}, {200, 30, 0}, {0, 150, 20}, {0, 0, 100}};
+    SurfaceModel model = primitive_model(box, "box");
+    const std::vector<LightSource> exact = lights_of(box, Rgb(7));
+    const std::vector<LightSource> lights = lights_of_model(model);
+    ASSERT_EQ(lights.size(), 6U);
+    for (const LightSource& light : lights) EXPECT_FALSE(std::get<PolygonLight>(light).shown);
+    for (const Vec3& point : {Vec3(0), Vec3(400, 100, 550), Vec3(10, 20, 900)})
+        for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(-0.8, 0, 0.6), Vec3(0, 0, -1)})
+            EXPECT_NEAR(lit_by(lights, point, normal), lit_by(exact, point, normal), 1e-9);
+    Affine mirror;
+    mirror.rows[0] = Vec3(-1, 0, 0);
+    model.instances[0].transform = mirror;
+    EXPECT_NEAR(lit_by(lights_of_model(model), Vec3(-400, 100, 550), {0.8, 0, 0.6}),
+                lit_by(exact, Vec3(400, 100, 550), {-0.8, 0, 0.6}), 1e-9);
+}
+
+/// Patches of a tube in facets, and the tube itself.
+TEST(LuminousFaces, TubeOfPatchesIsTheExactTube) {
+    const FrustumShape tube{{-600, 200, 900}, {600, 250, 950}, 20, 20, false};
+    const std::vector<LightSource> exact = lights_of(tube, Rgb(7));
+    const std::vector<LightSource> lights = lights_of_model(primitive_model(tube, "tube"));
+    for (const Vec3& point : {Vec3(0), Vec3(900, 300, 0), Vec3(0, 0, 700)})
+        for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.6, 0, 0.8), Vec3(0, 0.8, 0.6)}) {
+            const double whole = lit_by(exact, point, normal);
+            EXPECT_GT(whole, 0.01);
+            EXPECT_NEAR(lit_by(lights, point, normal), whole, 1e-4 * whole) << point << normal;
+        }
+}
+
+/// A board of squares and a soft one, held against 40000 panels of the map's own values.
+TEST(LuminousFaces, MappedPanelHasTheLightOfItsMap) {
+    const PlaneShape board{{-300, -200, 500}, {0, 400, 0}, {600, 0, 0}}; // shines down
+    const SurfaceModel model = primitive_model(board, "board");
+    Material material = luminous(Rgb(100, 50, 10));
+    material.maps.push_back({.drives = MappedQuantity::emission});
+    for (const auto& [kind, error] :
+         {std::pair(TextureKind::checker, 1e-2), std::pair(TextureKind::fractal, 5e-3)}) {
+        material.maps[0].texture.kind = kind;
+        material.maps[0].texture.size = 220;
+        const SurfaceMaps maps(material.maps);
+        const std::vector<LightSource> lights = luminous_faces(model, {&material, 1}, {}, {});
+        EXPECT_EQ(lights.size(), 128U);
+        for (const Vec3& point : {Vec3(0), Vec3(-250, 100, 200), Vec3(900, 0, 100)}) {
+            const Vec3 normal = Vec3(0, 0.2, 1).normalized();
+            constexpr int side = 200;
+            double exact = 0, whole = 0;
+            for (int i = 0; i < side; ++i)
+                for (int k = 0; k < side; ++k) {
+                    const Vec3 u = board.u / side, v = board.v / side;
+                    const Vec3 at = board.origin + u * i + v * k;
+                    const PolygonLight cell{{at, at + u, at + u + v, at + v}, Rgb(1)};
+                    const double light = illuminance_from(cell, {}, point, normal, Unoccluded()).g;
+                    const MapPlace place{at + (u + v) / 2, Vec3(0, 0, -1), {}, u, v};
+                    exact += 50 * light * maps.values(place).emission.g, whole += 50 * light;
+                }
+            EXPECT_LT(exact, 0.8 * whole);
+            EXPECT_NEAR(lit_by(lights, point, normal), exact, error * whole) << point;
+        }
+    }
+}
+
+TEST(LuminousFaces, DarkBodiesHaveNone) {
+    const SurfaceModel model = primitive_model(DiscShape{{0, 0, 0}, {0, 0, 1}, 5}, "disc");
+    EXPECT_TRUE(luminous_faces(model, std::vector<Material>(1), {}, {}).empty());
+}
+
+/// A lamp hides nothing, not even itself, and its scene needs no other light.
+TEST(LuminousFaces, BodyLightsItsSceneAndCastsNoShadow) {
+    const test::TemporaryFolder folder;
+    const auto open = [&](const std::string& material) {
+        const auto file = folder.path() / "scene.toml";
+        std::ofstream(file) << "format = \"keiko-scene/1\"\n[[primitive]]\nkind = \"box\"\n"
+                               "origin = [0, 0, -90]\nu = [9, 0, 0]\nv = [0, 9, 0]\nw = [0, 0, 9]\n"
+                               "material = \"concrete\"\n[[model]]\nfile = \""
+                            << test::repository("surfaces/wall.bpt").string()
+                            << "\"\nmaterial = " << material << '\n';
+        const std::filesystem::path inputs[] = {file};
+        SceneOptions options;
+        options.shadows = true;
+        return open_scene(inputs, options);
+    };
+    const std::array before{Vec3(-1000, 0, 2000)}, behind{Vec3(1000, 0, 2000)};
+    const Scene lamp = open("{ diffuse = 0, emits = 50 }"), wall = open("{ diffuse = 0 }");
+    ASSERT_TRUE(lamp.rig);
+    EXPECT_FALSE(wall.rig);
+    EXPECT_EQ(lamp.rig->sources.size(), 6U);
+    EXPECT_FALSE(lamp.occluders->may_occlude(before, behind));
+    EXPECT_TRUE(wall.occluders->may_occlude(before, behind));
+}
+
+} // namespace
+} // namespace keiko
