@@ -56,6 +56,7 @@ SCENES = {
     "leather-and-marble": ("leather-and-marble-scene", SHADED, (960, 430)),
     "low-beam": ("low-beam-scene", SHADED, (960, 540)),
     "orange-peel": ("orange-peel-scene", (), (960, 540)),
+    "curved-lamps": ("curved-lamps-scene", SHADED, (640, 360)),
     "lamps-in-a-row": ("lamps-in-a-row-scene", SHADED, (640, 360)),
     "panels-in-fog": ("panels-in-fog-scene", SHADED, (640, 360)),
     "overcast": ("overcast-scene", ("--tone", "reinhard"), (960, 540)),
