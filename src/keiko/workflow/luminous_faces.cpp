@@ -170,27 +170,26 @@ std::vector<std::uint32_t> emitting(std::span<const Material> materials) {
     return faces;
 }
 
-/// mm, by which the surface may leave the triangles: a share of the body's second extent, which a
-/// tube has across.
-double deviation_of(const SurfaceModel& model, const Job& job) {
-    constexpr double share = 2e-3;
+/// mm, the second longest side of a model's box.
+double second_extent(const SurfaceModel& model, const Job& job) {
     const Vec3 extent = material_bounds(model, job).extent();
     std::array<double, 3> sides{extent.x, extent.y, extent.z};
     std::sort(sides.begin(), sides.end());
-    return share * sides[1];
+    return sides[1];
 }
 
 } // namespace
 
 std::vector<LightSource> luminous_faces(const SurfaceModel& body,
                                         std::span<const Material> materials,
-                                        const LoadOptions& options, const Job& job) {
+                                        const LoadOptions& options, const Job& job,
+                                        double deviation) {
     std::vector<LightSource> lights;
     const std::vector<std::uint32_t> faces = emitting(materials);
     if (faces.empty()) return lights;
     const PlacedModel placed = placed_model(body, {}, faces);
     const ModelMesh mesh =
-        mesh_in_worker(placed.model, deviation_of(placed.model, job), options, job);
+        mesh_in_worker(placed.model, deviation * second_extent(placed.model, job), options, job);
     const FaceParameters parameters(placed.model);
     for (std::size_t f = 0; f < mesh.size(); ++f) {
         const Face& face = placed.model.faces[f];

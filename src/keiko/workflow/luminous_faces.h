@@ -15,9 +15,11 @@ namespace keiko {
 /// triangles, whose luminance is such that they send the flux of the exact surface. Of a luminance
 /// that maps vary the triangles are smaller, and have its mean each. Lights shine outwards, and are
 /// not shown, as the body itself is. Throws Error naming a face that cannot be divided into
-/// triangles, and as mesh_in_worker does.
+/// triangles, and as mesh_in_worker does. `deviation`: by which surfaces may leave their triangles,
+/// as a share of the second longest side of the box of all these faces, which a tube has across.
 std::vector<LightSource> luminous_faces(const SurfaceModel& body,
                                         std::span<const Material> materials,
-                                        const LoadOptions& options, const Job& job);
+                                        const LoadOptions& options, const Job& job,
+                                        double deviation = 2e-3);
 
 } // namespace keiko

@@ -120,12 +120,13 @@ TEST(PrimitiveTable, BadPrimitivesOfAScene) {
         }
         return std::string();
     };
-    EXPECT_EQ(error(scene), "bad.toml: the scene has no body: neither [[model]] nor [[primitive]]");
+    EXPECT_EQ(error(scene),
+              "bad.toml:1:1: the scene has no body: neither [[model]] nor [[primitive]]");
     EXPECT_EQ(error(scene + "material = \"concrete\"\nluminance = 5\n"),
               "bad.toml:7:12: primitive[0].material: give either a material, which may emit, or a "
               "luminance");
-    EXPECT_EQ(error(scene + "material = { diffuse = 0, emits = -1 }\n").substr(0, 14),
-              "bad.toml:7:36: ");
+    EXPECT_EQ(error(scene + "material = { diffuse = 0, emits = -1 }\n").substr(0, 15),
+              "bad.toml:7:35: ");
 }
 
 } // namespace

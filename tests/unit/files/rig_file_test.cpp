@@ -288,7 +288,8 @@ TEST(RigFile, WhatIsMissingOrContradictsIsNamed) {
               "polynomial, table (did you mean 'soft'?)");
     EXPECT_EQ(rig_error(head),
               "bad.toml:1:1: the rig has no light: neither [[c_plane]] nor [[spotlight]] "
-              "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [[box]] nor [[sign]] nor "
+              "nor [[luminaire]] nor [[polygon]] nor [[sphere]] nor [[box]] nor [[primitive]] nor "
+              "[[sign]] nor "
               "[[point]] nor [[line]] "
               "nor [sun] nor [sky]");
 }

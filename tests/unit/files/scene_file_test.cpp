@@ -158,7 +158,8 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "5:1: unknown key 'ground.height'");
     EXPECT_EQ(error("max_depth = 65\n" + model),
               "2:13: max_depth: must be at least 0 and at most 64, is 65");
-    EXPECT_EQ(error("view = \"top\"\n"), "1:1: the scene has no [[model]]");
+    EXPECT_EQ(error("view = \"top\"\n"),
+              "1:1: the scene has no body: neither [[model]] nor [[primitive]]");
 }
 
 TEST_F(SceneFile, NumbersBeyondAllSenseAreRefused) {

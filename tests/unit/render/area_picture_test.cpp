@@ -109,9 +109,10 @@ TEST(AreaPicture, MirroredCurvedLightsAgreeWithSupersampling) {
     }
 }
 
-/// Beside what it reflects, here nothing.
+/// Beside what it reflects.
 TEST(AreaPicture, EmittingMaterialShowsItsLuminance) {
     Stage stage(flat_plate());
+    stage.rig.sources.clear();
     const double dark = green(stage.render(), 48, 27);
     for (Material& material : stage.materials) material.emits = Rgb(30, 40, 50);
     EXPECT_NEAR(green(stage.render(), 48, 27), dark + 40, 1e-4);

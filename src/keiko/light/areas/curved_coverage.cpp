@@ -53,6 +53,16 @@ std::optional<double> entry_of(const FrustumView& view, const Vec3& direction) {
     return entry;
 }
 
+/// Depth, mm along a unit direction from the point, of the place of the axis nearest to that ray:
+/// about that of the outline there.
+double depth_beside(const FrustumView& view, const Vec3& ahead) {
+    const Vec3 axis = view.to - view.from;
+    const Vec3 from = square_to(view.from, ahead), across = square_to(axis, ahead);
+    const double length2 = across.length2();
+    const double share = length2 > 0 ? std::clamp(-from.dot(across) / length2, 0.0, 1.0) : 0.5;
+    return ahead.dot(view.from + axis * share);
+}
+
 /// The outline of the visible part, in chords of its rims with at most this error, mm.
 std::vector<Vec3> outline_of(const FrustumView& view, double error) {
     constexpr double most = 256, least = 8;
@@ -111,18 +121,18 @@ std::optional<AreaHit> area_hit(const FrustumLight& light, const Vec3& origin,
     const std::optional<double> entry = entry_of(*view, direction);
     const SphereLight around = sphere_around(light);
     const Vec3 ahead = direction.normalized();
-    const double speed = direction.length(), nearest = ahead.dot(around.center - origin) / speed;
-    const double t = entry.value_or(nearest);
-    if (!(t > 0)) return std::nullopt;
-    const PlaneAxes plane(origin + direction * t, ahead);
+    const double depth = depth_beside(*view, ahead), beside = depth / direction.length();
+    if (!(depth > 0)) return std::nullopt;
+    const double t = entry.value_or(beside);
+    const PlaneAxes plane(origin + ahead * depth, ahead);
     const auto foot = footprint_on(plane, origin, direction, spread);
     if (!foot) return std::nullopt;
     if (foot->area() == 0) return hit_of(t, entry ? 1 : 0);
-    constexpr double of_pixel = 0.01;
-    const double off = (origin + direction * nearest - around.center).length();
+    constexpr double of_pixel = 0.002;
+    const double off = square_to(around.center - origin, ahead).length();
     if (!entry && off > around.radius + foot->reach()) return std::nullopt;
     const std::vector<Vec3> outline = outline_of(*view, of_pixel * foot->reach());
-    return hit_of(t, share_in_polygon(*foot, projected(outline, plane, ahead, t * speed)));
+    return hit_of(t, share_in_polygon(*foot, projected(outline, plane, ahead, depth)));
 }
 
 } // namespace keiko
