@@ -89,7 +89,7 @@ std::vector<Bar> bars_of(const LightRig& rig, const Vec3& body) {
     std::vector<Bar> bars;
     for (const LightSource& source : rig.sources) {
         const auto* panel = std::get_if<PolygonLight>(&source);
-        if (!panel || !panel->shines_at(body)) continue;
+        if (!panel || !panel->shown || !panel->shines_at(body)) continue;
         if (const auto bar = bar_of(*panel)) bars.push_back(*bar);
     }
     return bars;

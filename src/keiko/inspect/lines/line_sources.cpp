@@ -35,7 +35,7 @@ std::vector<PanelEdge> edges_of(const LightRig& rig) {
     std::vector<PanelEdge> edges;
     for (const LightSource& source : rig.sources) {
         const auto* panel = std::get_if<PolygonLight>(&source);
-        if (!panel) continue;
+        if (!panel || !panel->shown) continue;
         const Vec3 normal = panel->normal();
         for (std::size_t i = 0; i < panel->corners.size(); ++i) {
             const Vec3& next = panel->corners[(i + 1) % panel->corners.size()];
