@@ -7,6 +7,7 @@
 #include "keiko/light/rig/luminaire_remarks.h"
 #include "keiko/report/content/inspection_texts.h"
 #include "keiko/report/content/luminaire_facts.h"
+#include "keiko/report/content/mesh_files.h"
 #include "keiko/workflow/build_facts.h"
 #include "keiko/workflow/check_models.h"
 #include "keiko/workflow/surface_mesh.h"

@@ -3,7 +3,7 @@
 #include "keiko/base/error.h"
 #include "keiko/base/text.h"
 #include "keiko/import/worker/curve_files.h"
-#include "keiko/report/content/surface_mesh.h"
+#include "keiko/report/content/mesh_files.h"
 
 namespace keiko {
 namespace {

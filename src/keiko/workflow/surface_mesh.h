@@ -1,7 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
-#include "keiko/report/content/surface_mesh.h"
+#include "keiko/geometry/model/surface_mesh.h"
 #include "keiko/workflow/open_scene.h"
 
 #include <string>

@@ -1,7 +1,7 @@
 #include "keiko/base/error.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/math/bounds.h"
-#include "keiko/report/content/surface_mesh.h"
+#include "keiko/report/content/mesh_files.h"
 #include "keiko/report/markup/json_text.h"
 #include "keiko/report/mesh/raw_bytes.h"
 

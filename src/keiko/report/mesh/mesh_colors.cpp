@@ -1,5 +1,5 @@
 #include "keiko/film/signed_color_picture.h"
-#include "keiko/report/content/surface_mesh.h"
+#include "keiko/report/content/mesh_files.h"
 
 #include <algorithm>
 #include <cmath>

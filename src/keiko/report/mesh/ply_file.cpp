@@ -1,4 +1,4 @@
-#include "keiko/report/content/surface_mesh.h"
+#include "keiko/report/content/mesh_files.h"
 #include "keiko/report/mesh/raw_bytes.h"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "keiko/geometry/bezier/space_curve.h"
 #include "keiko/geometry/model/closest_point.h"
-#include "keiko/report/content/surface_mesh.h"
+#include "keiko/report/content/mesh_files.h"
 #include "keiko/report/markup/html_text.h"
 
 #include <cstring>
