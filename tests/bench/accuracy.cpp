@@ -2,8 +2,8 @@
 
 #include "keiko/base/units.h"
 #include "keiko/intersect/hit/reflect_ray.h"
-
-#include "tests/bench/summary.h"
+#include "keiko/math/nearest_rank.h"
+#include "keiko/raster/reflection_error.h"
 
 #include <cmath>
 
@@ -12,35 +12,6 @@ namespace {
 
 constexpr double lamp_distance = 3000; // mm
 constexpr double arcsec = 3600;        // in a degree
-
-/// Part of `v` across the unit vector `axis`.
-Vec3 across(const Vec3& v, const Vec3& axis) {
-    return v - axis * v.dot(axis);
-}
-
-Vec3 at_lamps(const Ray& ray, double t, const Vec3& normal) {
-    return ray.at(t) + reflect(ray.direction, normal) * lamp_distance;
-}
-
-/// mm at the lamps between the ray mirrored in truth and the one mirrored by the answer.
-double lateral_error(const Ray& ray, const Hit& truth, const Answer& answer) {
-    const Vec3 off = at_lamps(ray, answer.t, answer.normal) - at_lamps(ray, truth.t, truth.normal);
-    return across(off, reflect(ray.direction, truth.normal)).length();
-}
-
-/// Edge of a pixel's image at the lamps, mm.
-std::optional<double> pixel_footprint(const Ray& ray, const Hit& truth) {
-    const Ray mirrored = reflect_ray(ray, truth);
-    if (!mirrored.differentials) return std::nullopt;
-    const RayDifferentials& d = *mirrored.differentials;
-    const Vec3 dx = across(d.origin_dx + d.direction_dx * lamp_distance, mirrored.direction);
-    const Vec3 dy = across(d.origin_dy + d.direction_dy * lamp_distance, mirrored.direction);
-    return (dx.length() + dy.length()) / 2;
-}
-
-double normal_error(const Vec3& a, const Vec3& b) {
-    return radians_to_degrees(angle_between(a, a.dot(b) < 0 ? -b : b)) * arcsec;
-}
 
 class Judge {
 public:
@@ -61,12 +32,12 @@ public:
     }
 
     Accuracy result() {
-        result_.normal_p50 = quantile(normals_, 0.5);
-        result_.normal_p99 = quantile(normals_, 0.99);
-        result_.lateral_p99 = quantile(laterals_, 0.99);
+        result_.normal_p50 = nearest_rank(normals_, 0.5);
+        result_.normal_p99 = nearest_rank(normals_, 0.99);
+        result_.lateral_p99 = nearest_rank(laterals_, 0.99);
         if (!zebras_.empty())
-            result_.zebra = {quantile(zebras_, 0.5), quantile(zebras_, 0.99),
-                             quantile(zebras_, 0.999)};
+            result_.zebra = {nearest_rank(zebras_, 0.5), nearest_rank(zebras_, 0.99),
+                             nearest_rank(zebras_, 0.999)};
         return result_;
     }
 
@@ -85,10 +56,11 @@ private:
         result_.missed += there && !found;
     }
     void compare(const Ray& ray, const Hit& truth, const Answer& answer) {
-        normals_.push_back(normal_error(truth.normal, answer.normal));
-        laterals_.push_back(lateral_error(ray, truth, answer));
+        normals_.push_back(radians_to_degrees(normal_error(truth.normal, answer.normal)) * arcsec);
+        laterals_.push_back(mirror_displacement(ray, {truth.t, truth.normal},
+                                                {answer.t, answer.normal}, lamp_distance));
         if (!ray.differentials || ray.excluded) return;
-        if (const auto pixel = pixel_footprint(ray, truth))
+        if (const auto pixel = mirrored_pixel(reflect_ray(ray, truth), lamp_distance))
             zebras_.push_back(laterals_.back() / *pixel);
     }
 

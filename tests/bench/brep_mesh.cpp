@@ -1,7 +1,8 @@
 #include "tests/bench/brep_mesh.h"
 
+#include "keiko/math/nearest_rank.h"
+
 #include "tests/bench/cpu_clock.h"
-#include "tests/bench/summary.h"
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepLProp_SLProps.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
@@ -69,7 +70,7 @@ public:
 
     TriangleMesh finish() {
         mesh_.positions.emplace_back(0.0F);
-        mesh_.deviation = quantile(deviations_, 0.999);
+        mesh_.deviation = nearest_rank(deviations_, 0.999);
         return std::move(mesh_);
     }
 

@@ -124,6 +124,18 @@ void add_frames(CLI::App& app, FrameOptions& options) {
     add_markdown(*frames, options.markdown);
 }
 
+void add_raster(CLI::App& app, RasterOptions& options) {
+    CLI::App* raster =
+        app.add_subcommand("raster", "the visible triangles of the concept car's mesh");
+    raster->add_option("--mesh", options.deviation, "mm that the surface may leave it by")
+        ->check(CLI::Range(1e-6, 1e6))
+        ->capture_default_str();
+    raster->add_option("--width", options.width, "of the picture, pixels")
+        ->check(CLI::Range(16, 16384))
+        ->capture_default_str();
+    add_markdown(*raster, options.markdown);
+}
+
 void add_inspect(CLI::App& app, InspectBenchmarkOptions& options) {
     CLI::App* inspect = app.add_subcommand(
         "inspect", "processor time of keiko inspect by stage, beside OpenCASCADE's meshing");
@@ -150,6 +162,7 @@ Command parse_command_line(int argc, char** argv) {
     add_stripes(app, command.stripes);
     add_frames(app, command.frames);
     add_inspect(app, command.inspect);
+    add_raster(app, command.raster);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -177,6 +190,7 @@ Command parse_command_line(int argc, char** argv) {
                     : app.got_subcommand("stripes")  ? Group::stripes
                     : app.got_subcommand("frames")   ? Group::frames
                     : app.got_subcommand("inspect")  ? Group::inspect
+                    : app.got_subcommand("raster")   ? Group::raster
                                                      : Group::trace;
     return command;
 }

@@ -5,6 +5,7 @@
 #include "tests/bench/load_benchmark.h"
 #include "tests/bench/panel_benchmark.h"
 #include "tests/bench/penumbra_benchmark.h"
+#include "tests/bench/raster_benchmark.h"
 #include "tests/bench/stripe_benchmark.h"
 
 #include <filesystem>
@@ -51,6 +52,7 @@ enum class Group {
     stripes,
     frames,
     inspect,
+    raster,
     help
 };
 
@@ -66,6 +68,7 @@ struct Command {
     StripeOptions stripes{};
     FrameOptions frames{};
     InspectBenchmarkOptions inspect{};
+    RasterOptions raster{};
     int exit_code = 0; ///< of help and usage errors
 };
 

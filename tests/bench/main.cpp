@@ -4,6 +4,7 @@
 #include "tests/bench/cut_shaft.h"
 #include "tests/bench/markdown.h"
 #include "tests/bench/mesh_or_surface.h"
+#include "tests/bench/raster_benchmark.h"
 #include "tests/bench/results_json.h"
 #include "tests/bench/shafts_benchmark.h"
 #include "tests/bench/targets.h"
@@ -95,6 +96,12 @@ void inspect(const InspectBenchmarkOptions& options) {
     if (!options.markdown.empty()) update_page(options.markdown, "inspect", markdown_of(table));
 }
 
+void raster(const RasterOptions& options) {
+    const Table table = run_raster_benchmark(options);
+    print(text_of(table));
+    if (!options.markdown.empty()) update_page(options.markdown, "raster", markdown_of(table));
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -131,6 +138,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::inspect:
                 inspect(command.inspect);
+                return 0;
+            case Group::raster:
+                raster(command.raster);
                 return 0;
             case Group::help:
                 return command.exit_code;

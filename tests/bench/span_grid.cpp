@@ -2,9 +2,9 @@
 
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/math/nearest_rank.h"
 
 #include "tests/bench/cpu_clock.h"
-#include "tests/bench/summary.h"
 
 #include <cmath>
 #include <utility>
@@ -54,7 +54,7 @@ public:
     }
 
     TriangleMesh finish() {
-        mesh_.deviation = quantile(deviations_, 0.999);
+        mesh_.deviation = nearest_rank(deviations_, 0.999);
         mesh_.positions.emplace_back(0.0F);
         return std::move(mesh_);
     }

@@ -1,13 +1,15 @@
 #pragma once
 
+#include "keiko/math/nearest_rank.h"
+
+#include <utility>
 #include <vector>
 
 namespace keiko::bench {
 
-/// The value below which the share `q` of the values lies, NaN of none.
-double quantile(std::vector<double> values, double q);
+/// The middle one of some values, NaN of none.
 inline double median(std::vector<double> values) {
-    return quantile(static_cast<std::vector<double>&&>(values), 0.5);
+    return nearest_rank(std::move(values), 0.5);
 }
 
 } // namespace keiko::bench

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "keiko/base/export.h"
+
+#include <string_view>
+
+namespace KEIKO_API keiko {
+
+/// Rules by which the luminance of a mesh is known at a pixel.
+enum class MeshShading {
+    constant, ///< one luminance a triangle, that of its middle under its own normal
+    gouraud,  ///< those of the corners, mixed [Gouraud1971]
+    phong     ///< of each pixel, under the mixed normals of the corners [Phong1975]
+};
+
+/// "constant", "gouraud", "phong"
+std::string_view name_of(MeshShading shading);
+
+/// Algorithms that find the triangle of each pixel. All find the same.
+enum class HiddenSurfaces {
+    z_buffer,  ///< by depths of pixels, in tiles [Catmull1974]
+    scan_line, ///< by spans of rows [Sutherland1974]
+    painter    ///< by priority, from the back to the front [Fuchs1980]
+};
+
+} // namespace keiko

@@ -1,0 +1,98 @@
+#include "keiko/raster/span_mesh.h"
+
+#include "tests/support/analytic_models.h"
+#include "tests/support/model_builder.h"
+#include "tests/support/shapes.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <set>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+/// The largest distance of the patch from the plane triangles between its places at the corners of
+/// cells, at random places of these.
+double sampled_deviation(const BezierPatchView& patch, const SpanCells& cells) {
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> share(0, 1);
+    double most = 0;
+    for (int i = 0; i < cells.u; ++i)
+        for (int j = 0; j < cells.v; ++j)
+            for (int k = 0; k < 40; ++k) {
+                double s = share(random), t = share(random);
+                if (t > s) std::swap(s, t);
+                const auto at = [&](double x, double y) {
+                    return evaluate(patch, Vec2((i + x) / cells.u, (j + y) / cells.v), 0)
+                        .position();
+                };
+                const Vec3 flat = at(0, 0) + (at(1, 0) - at(0, 0)) * s + (at(1, 1) - at(1, 0)) * t;
+                most = std::max(most, (at(s, t) - flat).length());
+            }
+    return most;
+}
+
+TEST(SpanMesh, BoundsTheDeviationOfEachPatch) {
+    for (const SurfaceModel& model :
+         {test::sphere_model(test::stretched(Vec3(100, 50, 30), Vec3(1, 2, 3), Vec3(5, 5, 5))),
+          test::torus_model(100, 20), test::bonnet_model(1000, 800, 60)})
+        for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
+            const auto bounds = SecondDerivativeBounds::of(model.patch(p));
+            for (const double asked : {1.0, 0.05}) {
+                const SpanCells cells = bounds.cells_within(asked);
+                EXPECT_LE(bounds.deviation(cells), asked);
+                const double found = sampled_deviation(model.patch(p), cells);
+                EXPECT_LE(found, bounds.deviation(cells));
+                EXPECT_GT(found, bounds.deviation(cells) / 20);
+            }
+        }
+}
+
+TEST(SpanMesh, BoundOfAParabolaIsMet) {
+    test::ModelBuilder builder; // z = u^2 over a square
+    builder.patch(2, 1,
+                  {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0.5, 0, 0), Vec3(0.5, 1, 0), Vec3(1, 0, 1),
+                   Vec3(1, 1, 1)});
+    builder.instance({});
+    const SurfaceModel model = builder.build();
+    const auto bounds = SecondDerivativeBounds::of(model.patch(0));
+    EXPECT_NEAR(bounds.deviation({1, 1}), 0.25, 1e-12); // at u = 1/2, from the chord
+    EXPECT_NEAR(bounds.deviation({4, 1}), 0.25 / 16, 1e-12);
+}
+
+double area(const FaceMesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        sum += (mesh.uv[b] - mesh.uv[a]).cross(mesh.uv[c] - mesh.uv[a]) / 2;
+    return sum;
+}
+
+TEST(SpanMesh, CutsCellsAlongTrimCurves) {
+    test::ShapeBuilder shape; // a plate of 10 x 10 with a hole
+    shape.face({test::rectangle(0, 10, 0, 10, 0)},
+               {test::polygon({Vec2(0, 0), Vec2(10, 0), Vec2(10, 10), Vec2(0, 10)}),
+                test::circle(Vec2(4, 5), 2.5)});
+    const double exact = 100 - std::numbers::pi * 2.5 * 2.5;
+    const FaceMesh coarse = span_mesh(shape.model(), 0.1).front();
+    const FaceMesh fine = span_mesh(shape.model(), 0.005).front();
+    EXPECT_NEAR(area(coarse), exact, 2 * std::numbers::pi * 2.5 * 0.1);
+    EXPECT_NEAR(area(fine), exact, 2 * std::numbers::pi * 2.5 * 0.005);
+    for (const auto& [a, b, c] : fine.triangles)
+        EXPECT_GE((fine.uv[b] - fine.uv[a]).cross(fine.uv[c] - fine.uv[a]), 0);
+}
+
+TEST(SpanMesh, NeighboursHaveAsManyCellsAlongTheirCommonSide) {
+    const SurfaceModel model = test::torus_model(100, 20);
+    const FaceMesh mesh = span_mesh(model, 0.05).front();
+    EXPECT_LE(mesh.deviation, 0.05);
+    std::set<double> rows;
+    for (const Vec2& uv : mesh.uv) rows.insert(uv.y);
+    // Every row of cells runs through all patches.
+    EXPECT_EQ(mesh.triangles.size() % (2 * (rows.size() - 1)), 0U);
+}
+
+} // namespace
+} // namespace keiko
