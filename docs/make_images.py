@@ -119,6 +119,14 @@ def car_drawing(program, folder):
     return {"drawing": folder / "a.svg"}
 
 
+def hood_meshes(program, folder):
+    """The same close-up of the hood's stripes in two meshes and in the surface."""
+    keiko(program, "mesh-error", SURFACES / "hood.step", "--mesh", "1,0.1", "--view", "high-front", "-o", folder)
+    return {"mesh-error-coarse": folder / "high-front-mesh-1-close-up.png",
+            "mesh-error-fine": folder / "high-front-mesh-2-close-up.png",
+            "mesh-error-surface": folder / "high-front-surface-close-up.png"}
+
+
 def raised_sheet(program, folder):
     """The distance map of a sheet of which an inner control point is 0.5 mm higher."""
     from step_text import StepText
@@ -172,6 +180,7 @@ COMMANDS = {
     ("hood-lines", "hood-inflections"): hood_inspection,
     ("concept-car-lines",): car_lines,
     ("drawing",): car_drawing,
+    ("mesh-error-coarse", "mesh-error-fine", "mesh-error-surface"): hood_meshes,
     ("compare",): raised_sheet,
     ("placement-hood", "placement-hood-overhead", "placement-car", "placement-car-overhead",
      "placement-histogram"): placements,

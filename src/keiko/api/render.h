@@ -8,6 +8,7 @@
 #include "keiko/render/shading/picture.h"
 #include "keiko/workflow/analysis_picture.h"
 #include "keiko/workflow/hidden_faces.h"
+#include "keiko/workflow/mesh_picture.h"
 #include "keiko/workflow/open_scene.h"
 #include "keiko/workflow/render_stereo.h"
 #include "keiko/workflow/scene_analysis.h"

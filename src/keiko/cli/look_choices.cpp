@@ -42,7 +42,7 @@ ValueRange range_to(AnalysisMode look, double full) {
 
 std::optional<ChosenMode> RenderArguments::look() const {
     std::optional<StatedLook> stated;
-    if (look_ != "lamps") stated = look_from(look_);
+    if (look_ != "lamps" && !mesh_look()) stated = look_from(look_);
     std::optional<ChosenMode> chosen;
     if (stated) chosen = ChosenMode{stated->mode};
     const auto is = [&](AnalysisMode mode) { return chosen && chosen->look == mode; };
@@ -58,6 +58,20 @@ std::optional<ChosenMode> RenderArguments::look() const {
     chosen->section = section_.empty() ? viewed_across_ : direction("--section", section_);
     chosen->options = look_options(*stated);
     return chosen;
+}
+
+std::optional<MeshLook> RenderArguments::mesh_look() const {
+    const auto shading = mesh_shading_from(look_);
+    const bool chosen = stated_hidden_ && stated_hidden_->count() > 0;
+    require_mode(shading.has_value(), mesh_.has_value(), "--mesh", "--look mesh:...");
+    require_mode(shading.has_value(), chosen, "--hidden-surfaces", "--look mesh:...");
+    if (!shading) return std::nullopt;
+    MeshLook look{*shading};
+    if (hidden_surfaces_ == "scan-line") look.hidden_surfaces = HiddenSurfaces::scan_line;
+    if (hidden_surfaces_ == "painter") look.hidden_surfaces = HiddenSurfaces::painter;
+    look.mesh.deviation = mesh_.value_or(look.mesh.deviation);
+    look.mesh.load = load_options(scene);
+    return look;
 }
 
 AnalysisOptions RenderArguments::look_options(const StatedLook& look) const {

@@ -29,6 +29,7 @@ int main(int argc, char** argv) try {
     cli::add_lines(app, session);
     cli::add_merge(app, session);
     cli::add_mesh(app, session);
+    cli::add_mesh_error(app, session);
     cli::add_panorama(app, session);
     cli::add_place(app, session);
     cli::add_regress(app, session);

@@ -27,6 +27,7 @@ struct MeshArguments {
     std::vector<std::string> fields;
     fs::path against;
     std::string pull, scale;
+    std::string mesher = "opencascade";
     double deviation = MeshOptions{}.deviation, reach = 0;
 };
 
@@ -59,6 +60,7 @@ MeshOptions options_of(const MeshArguments& arguments) {
         options.fields.push_back(surface_field_by_name(name));
     if (!arguments.pull.empty()) options.pull = direction("--pull", arguments.pull);
     options.load = load_options(arguments.scene);
+    if (arguments.mesher == "spans") options.mesher = Mesher::spans;
     return options;
 }
 
@@ -114,6 +116,13 @@ void add_mesh(CLI::App& app, Session& session) {
         .add_option("--deviation", arguments->deviation,
                     "mm by which the surface may leave the triangles")
         ->check(number_between(1e-6, 1e6))
+        ->capture_default_str();
+    command
+        .add_option("--mesher", arguments->mesher,
+                    "opencascade, as viewports have it, its deviation measured; or spans, a grid "
+                    "in each knot span, its deviation proved")
+        ->check(CLI::IsMember({"opencascade", "spans"}))
+        ->option_text("NAME")
         ->capture_default_str();
     command
         .add_option("--field", arguments->fields,

@@ -74,10 +74,11 @@ void warn_of_parallax(const Scene& scene, const Camera& camera, const Stereo& ey
     log_warning(text.str());
 }
 
-/// The film of the camera's eye, or of both eyes.
+/// The film of the camera's eye, or of both eyes; or of a mesh.
 Film render_eyes(const RenderArguments& arguments, const Scene& scene, const Scene& shown,
                  const LightRig& rig, const Camera& camera, const PictureOptions& options,
                  const Job& job) {
+    if (const auto look = arguments.mesh_look()) return mesh_film(shown, rig, camera, *look, job);
     const auto stereo = arguments.stereo();
     if (!stereo) return render_view(shown, rig, camera, options, job);
     if (camera.projection == Projection::perspective) warn_of_parallax(scene, camera, stereo->eyes);

@@ -100,6 +100,7 @@ void RenderArguments::require() const {
     if (!aovs_.empty() && stereo_ == "anaglyph")
         throw Error("", "--aov", "an anaglyph has no layers: --stereo side-by-side has");
     if (const auto chosen = look()) require_look(*chosen);
+    if (mesh_look()) require_mesh_look();
     aovs(), scale(), frames();
     require_place_for_file(output);
     if (!hits.empty()) require_place_for_file(hits);
@@ -117,6 +118,14 @@ void RenderArguments::require_look(const ChosenMode& look) const {
     if (look.look != AnalysisMode::highlight) refuse(rig_);
 }
 
+void RenderArguments::require_mesh_look() const {
+    for (const CLI::Option* other : of_surface_)
+        if (other && other->count() > 0)
+            throw Error("", "--look " + look_,
+                        "shows a mesh under the lamps, without " + other->get_name());
+    if (!aovs_.empty()) throw Error("", "--look " + look_, "has no layers for --aov");
+}
+
 std::string RenderArguments::key() const {
     std::vector<std::filesystem::path> inputs = scene.inputs;
     for (const std::string& name : {rig, view})
@@ -128,9 +137,9 @@ std::string RenderArguments::key() const {
              << options.clipping_only << options.shadows << false_color << iso_lines << '\n'
              << light_error << ' ' << edge_samples << ' ' << eye_distance_ << '\n';
     for (const std::string& text : {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_,
-                                    tone_, look_, pull_, section_, stereo_})
+                                    tone_, look_, pull_, section_, stereo_, hidden_surfaces_})
         settings << text << '\n';
-    for (const std::optional<double>& number : {ev_, draft_, radius_, screen_distance_}) {
+    for (const std::optional<double>& number : {ev_, draft_, radius_, screen_distance_, mesh_}) {
         if (number) settings << *number;
         settings << '\n';
     }

@@ -54,6 +54,7 @@ void RenderArguments::add_light(CLI::App& command) {
                         "in stairs")
             ->check(CLI::Range(1, 16))
             ->capture_default_str());
+    of_surface_ = of_lamps_;
     command.add_option("--view", view, "view by name, auto, or scene")->check(not_empty());
     rig_ = command.add_option("--rig", rig, "rig file, or auto: the scene's, or placed")
                ->check(not_empty())
@@ -107,7 +108,9 @@ void RenderArguments::add_looks(CLI::App& command) {
                 "what to look at, for .png: lamps, zebra, isophote, highlight (of the rig), "
                 "isoparms, patches; or by colour with a legend draft, curvature:gauss, :mean, "
                 ":k1, :k2, :absolute, :section, or radius; curvature:gauss=C: colours are full "
-                "at C; below-radius, in red; or distortion: how glass turns the line of sight")
+                "at C; below-radius, in red; or distortion: how glass turns the line of sight. Or, "
+                "under the lamps, what a mesh shows of the surface: mesh:constant, mesh:gouraud or "
+                "mesh:phong")
             ->option_text("NAME")
             ->excludes(command.get_option("--false-color"))
             ->capture_default_str();
@@ -122,6 +125,18 @@ void RenderArguments::add_looks(CLI::App& command) {
         .add_option("--section", section_,
                     "of --look curvature:section: X,Y,Z, normal of the parallel planes [0,1,0]")
         ->check(not_empty());
+    command
+        .add_option("--mesh", mesh_,
+                    "of --look mesh:...: mm by which the surface may leave the triangles [0.1]")
+        ->check(number_between(1e-6, 1e6));
+    stated_hidden_ =
+        command
+            .add_option("--hidden-surfaces", hidden_surfaces_,
+                        "of --look mesh:...: algorithm that finds what is seen, z-buffer, "
+                        "scan-line or painter; all find the same")
+            ->check(CLI::IsMember({"z-buffer", "scan-line", "painter"}))
+            ->option_text("NAME")
+            ->capture_default_str();
     command.add_option("--radius", radius_, "of --look below-radius: mm, which needs it")
         ->check(number_between(1e-6, 1e6));
 }
@@ -136,6 +151,7 @@ void RenderArguments::add_stereo(CLI::App& command) {
             ->check(CLI::IsMember({"side-by-side", "anaglyph"}))
             ->excludes(command.get_option("--false-color"));
     of_lamps_.push_back(stereo);
+    of_surface_.push_back(stereo);
     command
         .add_option("--eye-distance", eye_distance_,
                     "mm between the eyes, the camera being in their middle")

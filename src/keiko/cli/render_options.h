@@ -47,6 +47,9 @@ public:
     /// Chosen analysis mode; nullopt for a picture under the lamps. Throws Error for an unknown
     /// name, for a setting of another mode, and for one out of range.
     std::optional<ChosenMode> look() const;
+    /// The mesh that is shown in place of the surface; nullopt for the surface itself. Throws Error
+    /// for an unknown kind, and for a setting of meshes without one.
+    std::optional<MeshLook> mesh_look() const;
     /// Layers of an .exr, in the order given. Throws Error for an unknown name and for a repeated
     /// one.
     std::vector<Aov> aovs() const { return aovs_by_names(aovs_); }
@@ -76,14 +79,17 @@ private:
     /// Settings of a mode.
     AnalysisOptions look_options(const StatedLook& look) const;
     void require_look(const ChosenMode& look) const;
+    void require_mesh_look() const;
 
     std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
-                       tone_ = "linear", frames_, pull_, section_, stereo_;
+                       tone_ = "linear", frames_, pull_, section_, stereo_,
+                       hidden_surfaces_ = "z-buffer";
     double eye_distance_ = Stereo().eye_distance;
-    std::optional<double> ev_, draft_, radius_, screen_distance_;
-    std::vector<const CLI::Option*> of_lamps_;  ///< options that only pictures under the lamps use
-    Vec3 viewed_across_ = ChosenMode().section; ///< --section of the analysis's view
-    const CLI::Option *rig_ = nullptr, *stated_look_ = nullptr;
+    std::optional<double> ev_, draft_, radius_, screen_distance_, mesh_;
+    std::vector<const CLI::Option*> of_lamps_;   ///< options that only pictures under the lamps use
+    std::vector<const CLI::Option*> of_surface_; ///< of these, those that meshes do not have
+    Vec3 viewed_across_ = ChosenMode().section;  ///< --section of the analysis's view
+    const CLI::Option *rig_ = nullptr, *stated_look_ = nullptr, *stated_hidden_ = nullptr;
 };
 
 } // namespace keiko::cli

@@ -114,6 +114,8 @@ void add_inspect(CLI::App& app, Session& session);
 void add_lines(CLI::App& app, Session& session);
 /// Adds `keiko merge`.
 void add_merge(CLI::App& app, Session& session);
+/// Adds `keiko mesh-error`.
+void add_mesh_error(CLI::App& app, Session& session);
 /// Adds `keiko panorama`.
 void add_panorama(CLI::App& app, Session& session);
 /// Adds `keiko place`.

@@ -9,6 +9,8 @@
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/import/worker/mesh_in_worker.h"
 #include "keiko/inspect/regularity/face_draft.h"
+#include "keiko/raster/averaged_normals.h"
+#include "keiko/raster/span_mesh.h"
 
 #include <algorithm>
 #include <array>
@@ -125,6 +127,11 @@ std::vector<double> deviations(const std::vector<Vec3>& places, const MeshOption
     return values;
 }
 
+ModelMesh triangles_of(const SurfaceModel& model, const MeshOptions& options, const Job& job) {
+    if (options.mesher == Mesher::spans) return span_mesh(model, options.deviation, job);
+    return mesh_in_worker(model, options.deviation, options.load, job);
+}
+
 void require_options(const MeshOptions& options) {
     if (!(options.deviation > 0 && std::isfinite(options.deviation)))
         throw FieldError("deviation", "must be above 0 mm");
@@ -166,8 +173,7 @@ SurfaceMesh surface_mesh(const Scene& scene, const MeshOptions& options, const J
     constexpr double meshing = 4, evaluating = 1;
     JobSteps steps(job, meshing + evaluating);
     const SurfaceModel model = placed_model(scene.model).model;
-    const ModelMesh faces =
-        mesh_in_worker(model, options.deviation, options.load, steps.next(meshing));
+    const ModelMesh faces = triangles_of(model, options, steps.next(meshing));
     SurfaceMesh mesh;
     mesh.source = scene.model.source;
     for (const SurfaceField field : options.fields)
@@ -177,6 +183,7 @@ SurfaceMesh surface_mesh(const Scene& scene, const MeshOptions& options, const J
         if (!faces[f].problem.empty())
             mesh.lost_faces.push_back(model.describe(model.faces[f]) + ": " + faces[f].problem);
     }
+    if (options.normals == CornerNormals::averaged) mesh.normals = averaged_normals(mesh);
     if (mesh.positions.empty())
         throw Error(scene.model.source, "", "none of its faces can be divided into triangles");
     const Job to_evaluate = steps.next(evaluating);

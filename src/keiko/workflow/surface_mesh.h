@@ -27,6 +27,18 @@ std::string_view name_of(SurfaceField field);
 /// Throws Error for a name that is no field, listing those there are.
 SurfaceField surface_field_by_name(std::string_view name);
 
+/// Makers of triangles.
+enum class Mesher {
+    opencascade, ///< OpenCASCADE's, each face by itself, measured: as viewports of CAD systems
+    spans        ///< a grid in each knot span, within a proved bound
+};
+
+/// Normals at the corners of a mesh.
+enum class CornerNormals {
+    surface, ///< those of the exact surface
+    averaged ///< the mean of those of the triangles around, as of files without normals
+};
+
 /// Options of surface_mesh.
 struct MeshOptions {
     double deviation = 0.1;             ///< mm that the surface may leave the triangles by; above 0
@@ -35,6 +47,8 @@ struct MeshOptions {
     const Scene* against = nullptr;     ///< the body that `deviation` is measured from
     double reach = 0;                   ///< mm, of that; 0: a fiftieth of its size
     LoadOptions load{};                 ///< of the worker that makes the triangles
+    Mesher mesher = Mesher::opencascade;            ///< that makes them
+    CornerNormals normals = CornerNormals::surface; ///< at the corners
 };
 
 /// Triangles of a scene's body. Their corners lie on the exact surface, where normals and fields

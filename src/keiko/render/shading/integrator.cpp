@@ -277,6 +277,16 @@ Rgb Integrator::luminance(const ShadingPoint& point, const DirectLight& light) c
            light.lobes;
 }
 
+Rgb Integrator::luminance(const ShadingPoint& point, const Ray& mirrored) const {
+    const Paint& paint = paint_of(point);
+    const Rgb share = paint.mirrored(point.place.normal.dot(point.eye));
+    Rgb sum;
+    if (share != Rgb(0)) sum += share * follow_mirrored(Rays{mirrored}).samples.front().luminance;
+    if (paint.takes_light())
+        sum += ambient_luminance(point) + luminance(point, direct_light(point));
+    return sum;
+}
+
 void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
                            PixelSample& sample) const {
     sample.luminance += point.weight * luminance(point, light);

@@ -77,6 +77,12 @@ public:
     /// cd/m2 that a shading point's base and lobes reflect of uniform light from all sides and of
     /// the surroundings to the viewer.
     Rgb ambient_luminance(const ShadingPoint& point) const;
+    /// Number of a face's paint, for SurfacePlace::paint.
+    std::uint32_t paint_number(std::size_t face) const { return paint_of_face_[face]; }
+    /// cd/m2 of a shading point that is no hit of the scene: of a mesh, say. It is the light of
+    /// base and lobes, and what the surface reflects of the ray `mirrored` from there. Glass passes
+    /// nothing.
+    Rgb luminance(const ShadingPoint& point, const Ray& mirrored) const;
     /// Adds the luminance by `light` to the sample of a shading point.
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 

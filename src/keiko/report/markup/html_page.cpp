@@ -186,12 +186,15 @@ std::string single(std::string_view png, const SliderPictures& pictures, const s
 }
 
 std::string sliding(const SliderPictures& pictures, const std::string& title) {
-    const std::string both = title + ": left before, right after";
+    const SliderWords& words = pictures.words;
+    const std::string both = title + ": left " + words.before + ", right " + words.after;
     return figure("<div class=\"slider\">" +
-                      image(pictures.before, pictures, title + " before", "") +
-                      image(pictures.after, pictures, title + " after", "after") +
+                      image(pictures.before, pictures, title + " " + words.before, "") +
+                      image(pictures.after, pictures, title + " " + words.after, "after") +
                       "</div><input type=\"range\" min=\"0\" max=\"100\" value=\"50\" "
-                      "aria-label=\"share of the picture that shows before\" "
+                      "aria-label=\"share of the picture that shows " +
+                      html_escaped(words.before) +
+                      "\" "
                       "oninput=\"this.previousElementSibling.style.setProperty('--cut', "
                       "this.value + '%')\">",
                   both);
@@ -204,14 +207,11 @@ std::string html_slider(const SliderPictures& pictures, const std::string& title
     if (!pictures.before.empty() && !pictures.after.empty())
         html += sliding(pictures, title);
     else if (!pictures.after.empty())
-        html += single(pictures.after, pictures, title + ": after");
+        html += single(pictures.after, pictures, title + ": " + pictures.words.after);
     else if (!pictures.before.empty())
-        html += single(pictures.before, pictures, title + ": before");
+        html += single(pictures.before, pictures, title + ": " + pictures.words.before);
     if (!pictures.difference.empty())
-        html += single(pictures.difference, pictures,
-                       title +
-                           ": difference, grey within, yellow to red beyond the tolerance, "
-                           "magenta where the outline or the face is another");
+        html += single(pictures.difference, pictures, title + ": " + pictures.words.difference);
     return html + "</div>\n";
 }
 

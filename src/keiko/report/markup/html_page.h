@@ -18,6 +18,16 @@ extern const std::string_view report_script;
 /// Style of html_slider, for the page's style sheet.
 extern const std::string_view slider_style;
 
+/// Words of a slider for its pictures.
+struct SliderWords {
+    std::string before = "before"; ///< of the picture at the left
+    std::string after = "after";   ///< of the picture at the right
+    /// Words of the picture beside both.
+    std::string difference =
+        "difference, grey within, yellow to red beyond the tolerance, "
+        "magenta where the outline or the face is another";
+};
+
 /// Pictures of a slider, each the bytes of a PNG file or empty for none.
 struct SliderPictures {
     std::string_view before;     ///< the picture at the left of the slider
@@ -25,6 +35,7 @@ struct SliderPictures {
     std::string_view difference; ///< the picture beside both
     int width = 0;               ///< pixels, of all three
     int height = 0;              ///< pixels, of all three
+    SliderWords words{};         ///< for captions
 };
 
 /// Two pictures on top of each other with a slider that sets how much of the latter is visible, and

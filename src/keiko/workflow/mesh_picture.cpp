@@ -1,0 +1,112 @@
+#include "keiko/workflow/mesh_picture.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/job_steps.h"
+#include "keiko/base/parallel.h"
+#include "keiko/base/text.h"
+#include "keiko/raster/mesh_shading.h"
+#include "keiko/render/shading/integrator.h"
+#include "keiko/workflow/hidden_faces.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <span>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+constexpr std::string_view prefix = "mesh:";
+
+/// The numbers of all faces of a scene's body.
+std::vector<std::uint32_t> body_ids(const SurfaceModel& model) {
+    std::vector<std::uint32_t> ids;
+    for (const Face& face : model.faces) ids.push_back(face.id);
+    return ids;
+}
+
+/// The light of a scene without its body, on a mesh that stands in the body's place.
+class MeshLight {
+public:
+    MeshLight(const Scene& scene, const LightRig& rig, const SurfaceMesh& mesh)
+        : rest_(seen_without(scene, body_ids(scene.model))),
+          picture_{rest_, scene.seen_materials(), rig, scene.background, nullptr, scene.maps.get()},
+          options_(picture_options(scene)),
+          integrator_(picture_, options_) {
+        std::map<std::uint32_t, std::uint32_t> paints;
+        for (std::size_t f = 0; f < scene.model.faces.size(); ++f)
+            paints[scene.model.faces[f].id] = integrator_.paint_number(f);
+        for (const std::uint32_t face : mesh.faces) paint_of_triangle_.push_back(paints.at(face));
+    }
+
+    /// cd/m2 that a place of the mesh sends to the eye.
+    Rgb of(const ShadedPlace& lit) const {
+        ShadingPoint point;
+        point.place = {lit.place.position, lit.place.normal,
+                       paint_of_triangle_[lit.place.triangle]};
+        point.eye = lit.eye;
+        return integrator_.luminance(point, lit.mirrored);
+    }
+    /// cd/m2 along a camera ray that meets no triangle.
+    Rgb beside(const Ray& ray) const {
+        return integrator_.follow(std::span(&ray, 1)).samples.front().luminance;
+    }
+
+private:
+    Tracer rest_; ///< of the scene
+    PictureScene picture_;
+    PictureOptions options_;
+    Integrator integrator_;
+    std::vector<std::uint32_t> paint_of_triangle_;
+};
+
+/// Fills the pixels of a film that show no triangle, and its alpha.
+void add_surroundings(Film& film, const MeshView& view, const MeshLight& light, const Job& job) {
+    const ItemBuffer& items = view.items();
+    parallel_for(static_cast<std::size_t>(items.height), job, "", [&](std::size_t row) {
+        const auto y = static_cast<int>(row);
+        for (int x = 0; x < items.width; ++x) {
+            const bool covered = items.at(x, y) != no_index;
+            *film.alpha.pixel(x, y) = covered ? 1.0F : 0.0F;
+            if (covered) continue;
+            const Rgb seen = light.beside(view.camera().ray(x + 0.5, y + 0.5));
+            const std::array<double, 3> channels{seen.r, seen.g, seen.b};
+            std::transform(channels.begin(), channels.end(), film.color.pixel(x, y),
+                           [](double value) { return static_cast<float>(value); });
+        }
+    });
+}
+
+} // namespace
+
+std::optional<MeshShading> mesh_shading_from(const std::string& look) {
+    if (!look.starts_with(prefix)) return std::nullopt;
+    std::vector<std::string> known;
+    for (const MeshShading shading :
+         {MeshShading::constant, MeshShading::gouraud, MeshShading::phong}) {
+        known.push_back(std::string(prefix) + std::string(name_of(shading)));
+        if (known.back() == look) return shading;
+    }
+    throw FieldError("look", "no look is called " + in_quotes(look) + "; of meshes there are " +
+                                 comma_list(known) + did_you_mean(look, known));
+}
+
+Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera, const MeshLook& look,
+               const Job& job) {
+    constexpr double meshing = 3, shading = 2;
+    JobSteps steps(job, meshing + shading);
+    const SurfaceMesh triangles = surface_mesh(scene, look.mesh, steps.next(meshing));
+    const Job to_shade = steps.next(shading);
+    const MeshView view(triangles, camera, to_shade, look.hidden_surfaces);
+    const MeshLight light(scene, rig, triangles);
+    Film film{
+        shaded_mesh(
+            view, look.shading, [&](const ShadedPlace& lit) { return light.of(lit); }, to_shade),
+        Image(camera.width, camera.height, 1),
+        {}};
+    add_surroundings(film, view, light, to_shade);
+    return film;
+}
+
+} // namespace keiko

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "keiko/base/export.h"
+#include "keiko/film/film.h"
+#include "keiko/raster/shading_rule.h"
+#include "keiko/workflow/open_scene.h"
+#include "keiko/workflow/surface_mesh.h"
+
+#include <optional>
+#include <string>
+
+namespace KEIKO_API keiko {
+
+/// The shading of a look "mesh:constant", "mesh:gouraud" or "mesh:phong"; nullopt for a look that
+/// is none of meshes. Throws FieldError for another kind of mesh.
+std::optional<MeshShading> mesh_shading_from(const std::string& look);
+
+/// Options of mesh_film.
+struct MeshLook {
+    MeshShading shading = MeshShading::phong;                  ///< of its triangles
+    HiddenSurfaces hidden_surfaces = HiddenSurfaces::z_buffer; ///< the way to find them
+    MeshOptions mesh{};                                        ///< its deviation, maker and loading
+};
+
+/// Picture of a mesh of a scene's body under a rig, where everything else of the picture is exact:
+/// the luminance of its pixels' centres, without shadows, and without what the body mirrors of
+/// itself. Beside the mesh the ground, the sky and the background are seen. Throws as
+/// surface_mesh, and Cancelled.
+Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera,
+               const MeshLook& look = {}, const Job& job = {});
+
+} // namespace keiko

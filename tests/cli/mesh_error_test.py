@@ -1,0 +1,99 @@
+"""keiko mesh-error, and the meshes that keiko render shows."""
+import json
+import unittest
+
+from keiko_process import SOURCE, KeikoTest, surface
+
+SCHEMA = json.loads((SOURCE / "docs" / "schema" / "keiko-mesh-error.schema.json").read_text())
+DENT = surface("dent.step")
+SMALL = ("--size", "240x160", "--view", "three-quarter-front", "-q")
+
+
+class MeshTest(KeikoTest):
+    def refuse(self, *arguments: str, mentioning: str):
+        run = self.keiko(*arguments)
+        self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
+        self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+        self.assertIn(mentioning, run.stderr)
+
+
+class MeshError(MeshTest):
+    def report(self, *arguments: str) -> dict:
+        self.succeed("mesh-error", DENT, *SMALL, "-o", "out", *arguments)
+        return json.loads((self.folder / "out" / "mesh-error.json").read_text())
+
+    def test_errors_fall_with_the_deviation(self):
+        report = self.report("--mesh", "1,0.05", "--json", "numbers.json")
+        self.assertEqual(json.loads((self.folder / "numbers.json").read_text()), report)
+        try:
+            import jsonschema
+            jsonschema.validate(report, SCHEMA)
+        except ImportError:
+            pass
+        coarse, fine = report["meshes"]
+        self.assertLess(coarse["triangles"], fine["triangles"])
+        self.assertLessEqual(fine["deviation"], 0.05)
+        coarse, fine = (mesh["errors"] for mesh in report["views"][0]["meshes"])
+        self.assertGreater(coarse["compared"], 1000)
+        self.assertGreater(coarse["displacement"]["pixels"]["p99"], 2 * fine["displacement"]["pixels"]["p99"])
+        self.assertGreater(coarse["normal_arcsec"]["p99"], fine["normal_arcsec"]["p99"])
+        self.assertEqual(fine["missed"]["inside"], 0)
+
+    def test_averaged_normals_are_worse(self):
+        own, averaged = (self.report("--mesh", "0.5", "--normals", normals)["views"][0]["meshes"][0]["errors"]
+                         for normals in ("surface", "averaged"))
+        self.assertGreater(averaged["normal_arcsec"]["p99"], 2 * own["normal_arcsec"]["p99"])
+
+    def test_the_page_holds_all_its_pictures(self):
+        report = self.report("--mesh", "1")
+        page = (self.folder / "out" / "mesh-error.html").read_text()
+        # Of the view: mesh, surface and wrong pixels, and both close-ups.
+        self.assertEqual(page.count("data:image/png;base64,"), 5)
+        self.assertNotIn("http://", page)
+        view = report["views"][0]
+        names = [view["truth"], view["close_up"]] + [view["meshes"][0][key] for key in ("mirror", "wrong", "close_up")]
+        for name in names:
+            self.assertTrue((self.folder / "out" / name).read_bytes().startswith(b"\x89PNG"), name)
+
+    def test_any_number_of_threads_gives_the_same_bytes(self):
+        files = []
+        for threads in ("1", "4"):
+            self.succeed("mesh-error", DENT, *SMALL, "--mesh", "0.2", "-o", threads, "--threads", threads)
+            files.append({path.name: path.read_bytes() for path in (self.folder / threads).iterdir()})
+        self.assertEqual(*files)
+
+    def test_refuses_a_deviation_that_is_none(self):
+        for mesh in ("0", "-1", "nan", "1,1"):
+            self.refuse("mesh-error", DENT, "--mesh", mesh, "-o", "out", mentioning="--mesh")
+
+    def test_refuses_a_rig_without_tubes(self):
+        self.refuse("mesh-error", DENT, *SMALL, "--rig", str(SOURCE / "lightrigs" / "one-point.toml"), "-o", "out",
+                    mentioning="no rows of tubes")
+
+
+class MeshLook(MeshTest):
+    def picture(self, *arguments: str) -> bytes:
+        self.succeed("render", DENT, *SMALL, "-o", "picture.png", *arguments)
+        return (self.folder / "picture.png").read_bytes()
+
+    def test_each_shading_gives_a_picture_of_its_own(self):
+        looks = ("lamps", "mesh:constant", "mesh:gouraud", "mesh:phong")
+        pictures = [self.picture("--look", look) for look in looks]
+        self.assertEqual(len(set(pictures)), len(looks))
+        self.assertNotEqual(pictures[3], self.picture("--look", "mesh:phong", "--mesh", "2"))
+
+    def test_all_algorithms_show_the_same(self):
+        pictures = {self.picture("--look", "mesh:phong", "--hidden-surfaces", by)
+                    for by in ("z-buffer", "scan-line", "painter")}
+        self.assertEqual(len(pictures), 1)
+
+    def test_refuses_what_meshes_do_not_have(self):
+        for wrong, named in ((("--look", "mesh:flat"), "mesh:constant, mesh:gouraud, mesh:phong"),
+                             (("--look", "mesh:phong", "--shadows"), "--shadows"),
+                             (("--look", "zebra", "--mesh", "1"), "--mesh"),
+                             (("--hidden-surfaces", "scan-line"), "--hidden-surfaces")):
+            self.refuse("render", DENT, *SMALL, "-o", "picture.png", *wrong, mentioning=named)
+
+
+if __name__ == "__main__":
+    unittest.main()
