@@ -12,8 +12,8 @@ struct RasterOptions {
     std::filesystem::path markdown{}; ///< page to put the table into; empty: none
 };
 
-/// Times of the algorithms that find the visible triangles of the concept car's mesh, beside the
-/// time that OpenCASCADE takes to make the mesh.
+/// Times of the algorithms that find the visible triangles of the concept car's mesh, which is that
+/// of the spans: OpenCASCADE would take a minute.
 Table run_raster_benchmark(const RasterOptions& options);
 
 } // namespace keiko::bench

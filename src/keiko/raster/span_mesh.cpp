@@ -145,10 +145,17 @@ private:
 
     /// Adds a convex polygon of patch parameters.
     void add_polygon(const std::vector<Vec2>& polygon) {
-        const auto first = static_cast<std::uint32_t>(mesh_.uv.size());
-        for (const Vec2& uv : polygon) mesh_.uv.push_back(face(uv));
-        for (std::uint32_t i = 1; i + 1 < polygon.size(); ++i)
-            mesh_.triangles.push_back({first, first + i, first + i + 1});
+        for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+            mesh_.triangles.push_back(
+                {corner(polygon[0]), corner(polygon[i]), corner(polygon[i + 1])});
+    }
+
+    /// Index of a corner, which the cells around it share.
+    std::uint32_t corner(const Vec2& uv) {
+        const auto next = static_cast<std::uint32_t>(mesh_.uv.size());
+        const auto [known, is_new] = corners_.try_emplace({uv.x, uv.y}, next);
+        if (is_new) mesh_.uv.push_back(face(uv));
+        return known->second;
     }
 
     const SurfaceModel& model_;
@@ -157,6 +164,7 @@ private:
     const Patch& maps_;
     double deviation_;
     FaceMesh& mesh_;
+    std::map<std::pair<double, double>, std::uint32_t> corners_; ///< by patch parameters
 };
 
 FaceMesh mesh_of(const SurfaceModel& model, const Face& face, double deviation) {
