@@ -160,6 +160,10 @@ bool alike(const LightVisibility& a, const LightVisibility& b) {
            std::equal(a.axis.begin(), a.axis.end(), b.axis.begin(), b.axis.end(), same_ends);
 }
 
+double share_resolution(const PreparedSource& source) {
+    return std::holds_alternative<SkyLight>(source.kind()) ? 0.03 : 0;
+}
+
 bool weighs_width(const CPlane& plane, TubeModel model) {
     const bool wide = model == TubeModel::automatic || model == TubeModel::picture;
     return wide && (plane.diffuse == TubeModel::automatic || plane.diffuse == model ||

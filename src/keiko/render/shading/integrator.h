@@ -66,6 +66,10 @@ public:
                      const std::optional<Vec3>& facing) const {
         return dims_light() || lights_.may_occlude(places, light, facing, tubes_);
     }
+    /// See keiko::share_resolution().
+    double share_resolution(const LightId& light) const {
+        return keiko::share_resolution(rig_.sources[light.source]);
+    }
     /// Light of each of some lights at a shading point, with the visibility `seen` of each.
     std::vector<DirectLight> direct_light(const ShadingPoint& point,
                                           std::span<const LightId> lights,
