@@ -48,6 +48,7 @@ SCENES = {
     "fog-studio-spots": ("studio-spots-scene", SHADED, (960, 540)),
     "fog-sun-window": ("sun-window-scene", SHADED, (960, 540)),
     "fog-tunnel": ("foggy-tunnel-scene", SHADED, (800, 450)),
+    "brushed-steel": ("brushed-scene", SHADED, (1200, 320)),
     "glass": ("glass-scene", ("--shadows",), (1200, 400)),
     "glass-teapot": ("glass-teapot-scene", SHADED, (640, 448)),
     "hood": ("hood-scene", (), (1200, 560)),

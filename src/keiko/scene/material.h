@@ -4,6 +4,7 @@
 #include "keiko/light/luminance/gloss_kernel.h"
 #include "keiko/math/rgb.h"
 #include "keiko/scene/material_map.h"
+#include "keiko/scene/scratches.h"
 
 #include <algorithm>
 #include <optional>
@@ -18,6 +19,9 @@ struct Roughness {
     DistributionKind kind = DistributionKind::beckmann; ///< distribution of the facets
     double width = 0.2;               ///< the distribution's own parameter, above 0
     GlossMode mode = GlossMode::lobe; ///< rule that makes light of the distribution
+    /// Scratches of a brushed surface, with Beckmann's or Trowbridge and Reitz's facets; none: it
+    /// is as rough in all directions.
+    std::optional<Scratches> scratches{};
 
     bool operator==(const Roughness&) const = default;
 };
@@ -62,9 +66,13 @@ inline bool has_emission_map(const Material& material) {
     });
 }
 
-/// Moves the maps of a material with its model.
-inline void place_maps(const Affine& motion, Material& material) {
+/// Moves the maps and the scratches of a material with its model.
+inline void place_material(const Affine& motion, Material& material) {
     for (MaterialMap& map : material.maps) map.placement = motion * map.placement;
+    if (material.roughness && material.roughness->scratches) {
+        ScratchDirection& direction = material.roughness->scratches->direction;
+        direction = moved(motion, direction);
+    }
 }
 
 /// True for each of some faces whose material casts no shadow: glass, and what emits light, as

@@ -160,7 +160,7 @@ std::string source_of(const Scene& scene) {
 Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options, const Job& job) {
     for (Instance& instance : scene.model.instances)
         instance.transform = motion * instance.transform;
-    for (Material& material : scene.materials) place_maps(motion, material);
+    for (Material& material : scene.materials) place_material(motion, material);
     Traced all = traced(scene.model, scene.materials, ground_of(scene), options, job);
     scene.tracer = std::move(all.tracer);
     scene.surroundings = std::move(all.surroundings);

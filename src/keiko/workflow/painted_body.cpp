@@ -63,7 +63,7 @@ PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const J
         for (Instance& instance : model.instances) instance.transform = placed * instance.transform;
         for (const Face& face : model.faces) {
             materials.push_back(paint_of(face, part));
-            place_maps(placed, materials.back());
+            place_material(placed, materials.back());
         }
         require_matches(model, part);
         models.push_back(std::move(model));

@@ -78,13 +78,17 @@ Rgb over_half_vectors(const Vec3& eye, double least, double detail, double allow
 
 } // namespace
 
-Rgb directional_albedo(const Gloss& gloss, double cosine, double allowed) {
+Rgb directional_albedo(const Gloss& gloss, double cosine, double allowed, double azimuth) {
     const Vec3 eye = eye_at(std::max(cosine, least_cosine));
-    const GlossKernel kernel(gloss, up, eye);
-    const double detail = kernel.spread() / 2;
-    if (gloss.distribution.of_half_vectors())
+    const GlossKernel kernel(gloss, up, eye, Vec3(std::cos(azimuth), std::sin(azimuth), 0));
+    const Distribution& facets = gloss.distribution;
+    const double detail =
+        facets.is_stretched() ? std::min(facets.width(), facets.across()) : kernel.spread() / 2;
+    if (facets.of_half_vectors())
         return over_half_vectors(eye, 0, detail, allowed, [&](const Vec3& half, double vh) {
-            return kernel(half * (2 * vh) - eye) * (4 * vh);
+            const auto sent = [&](const Vec3& h) { return kernel(h * (2 * vh) - eye) * (4 * vh); };
+            if (!facets.is_stretched()) return sent(half);
+            return (sent(half) + sent(Vec3(half.x, -half.y, half.z))) / 2; // scratches are not even
         });
     // About the mirror direction, phi counted from the zenith's side.
     const Vec3 pole = kernel.peak();

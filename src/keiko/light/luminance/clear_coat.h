@@ -13,8 +13,9 @@ namespace keiko {
 
 /// Integral of a kernel over all directions of light above the horizon: the share of uniform light,
 /// 0 to 1, that the surface reflects to a viewer under `cosine` above 0. Accurate to about
-/// `allowed`.
-Rgb directional_albedo(const Gloss& gloss, double cosine, double allowed = 1e-5);
+/// `allowed`. `azimuth`: radians of the viewer from the scratches of a stretched lobe.
+Rgb directional_albedo(const Gloss& gloss, double cosine, double allowed = 1e-5,
+                       double azimuth = 0);
 Rgb directional_albedo(const Flakes& flakes, double cosine, double allowed = 1e-5);
 
 /// Directional albedos tabulated by the cosine, and their mean over the hemisphere.

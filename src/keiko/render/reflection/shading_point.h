@@ -40,6 +40,7 @@ struct ShadingPoint {
     Root root{};          ///< of the hit, for rays from the point to leave out
     Vec3 eye{0};          ///< unit, towards the viewer
     Rgb weight{};         ///< weight of its luminance in the sample
+    Vec3 along{0};        ///< of the scratches of a brushed paint, of any length
     /// Its own paint and whether its light may be interpolated; of places with maps alone.
     std::shared_ptr<const MappedPaint> mapped{};
 };

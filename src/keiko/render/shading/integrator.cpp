@@ -22,6 +22,10 @@ bool passes_alone(std::uint64_t branch) {
     return std::has_single_bit(branch + 2);
 }
 
+double doubled_azimuth(const ShadingPoint& point) {
+    return doubled_azimuth_cosine(point.place.normal, point.eye, point.along);
+}
+
 /// Share of light that a way inside glass leaves.
 Rgb left_inside(const Glass& glass, const Segment& way) {
     return transmittance(glass.absorption * (way.b - way.a).length());
@@ -144,8 +148,12 @@ ShadingPoint Integrator::shading_point_at(const PathState& path, const PathVerte
     const Vec3& direction = met.ray.direction;
     const Vec3 normal = hit.normal.dot(direction) > 0 ? -hit.normal : hit.normal;
     const Vec3 eye = direction / -direction.length();
-    return {path.sample, path.branch, {hit.position, normal, paint_of_face_[hit.face]},
-            hit.root,    eye,         path.weight};
+    const std::uint32_t paint = paint_of_face_[hit.face];
+    const ScratchDirection* scratches = paints_[paint].scratches();
+    const Vec3 along =
+        scratches ? direction_at(*scratches, hit.position, hit.dpdu, hit.dpdv) : Vec3(0);
+    return {path.sample, path.branch, {hit.position, normal, paint}, hit.root, eye,
+            path.weight, along};
 }
 
 void Integrator::note_behind(const PathVertex& met, PixelSample& sample) const {
@@ -247,7 +255,8 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
              [&](DirectLight& light, const Rgb& sent) { light.lobes += sent * share; });
     };
     if (const auto& gloss = paint_of(point).gloss())
-        add_lobe(GlossKernel(*gloss, normal, point.eye), paint_of(point).gloss_share());
+        add_lobe(GlossKernel(*gloss, normal, point.eye, point.along),
+                 paint_of(point).gloss_share());
     if (paint.flakes()) add_lobe(FlakeKernel(*paint.flakes(), normal, point.eye), Rgb(1));
     return brought;
 }
@@ -271,10 +280,11 @@ DirectLight Integrator::direct_light(const ShadingPoint& point) const {
 }
 
 Rgb Integrator::luminance(const ShadingPoint& point, const DirectLight& light) const {
-    const ClearCoat& base = paint_of(point).base();
-    return lambert_luminance(base.inner_reflectance(point.place.normal.dot(point.eye)),
-                             light.illuminance) +
-           light.lobes;
+    const Paint& paint = paint_of(point);
+    const double cosine = point.place.normal.dot(point.eye);
+    const Rgb base = paint.base().inner_reflectance(cosine) *
+                     paint.passed_by_brushed(cosine, doubled_azimuth(point));
+    return lambert_luminance(base, light.illuminance) + light.lobes;
 }
 
 Rgb Integrator::luminance(const ShadingPoint& point, const Ray& mirrored) const {
@@ -297,9 +307,10 @@ Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {
     const bool is_surrounded = environment() && environment()->spec().lights;
     if (scene_.rig.ambient == Rgb(0) && !is_surrounded) return {};
     const Paint& paint = paint_of(point);
-    const double cosine = point.place.normal.dot(point.eye);
-    const Rgb base = paint.base().base_reflectance_diffuse(cosine);
-    const Rgb lobes = paint.gloss_albedo(cosine);
+    const double cosine = point.place.normal.dot(point.eye), doubled = doubled_azimuth(point);
+    const Rgb base =
+        paint.base().base_reflectance_diffuse(cosine) * paint.passed_by_brushed(cosine, doubled);
+    const Rgb lobes = paint.gloss_albedo(cosine, doubled);
     Rgb sum = even_luminance(scene_.rig.ambient) * (is_surrounded ? base : base + lobes);
     if (!is_surrounded) return sum;
     sum += even_luminance(environment()->irradiance(point.place.normal)) * base;

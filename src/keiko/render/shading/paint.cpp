@@ -10,13 +10,18 @@ Reflectance border_of(const Material& material) {
                           : Reflectance::dielectric(material.refractive_index);
 }
 
+Distribution distribution_of(const Roughness& rough) {
+    return rough.scratches ? Distribution(rough.kind, rough.width, rough.scratches->across)
+                           : Distribution(rough.kind, rough.width);
+}
+
 std::optional<Gloss> gloss_of(const Material& material) {
     if (!material.roughness) return {};
-    const auto& [kind, width, mode] = *material.roughness;
-    const auto shadowing = mode == GlossMode::lobe                      ? Shadowing::none
-                           : kind == DistributionKind::trowbridge_reitz ? Shadowing::smith
-                                                                        : Shadowing::cavities;
-    return Gloss{{kind, width}, mode, shadowing, border_of(material)};
+    const Roughness& rough = *material.roughness;
+    const auto shadowing = rough.mode != GlossMode::brdf                      ? Shadowing::none
+                           : rough.kind == DistributionKind::trowbridge_reitz ? Shadowing::smith
+                                                                              : Shadowing::cavities;
+    return Gloss{distribution_of(rough), rough.mode, shadowing, border_of(material)};
 }
 
 std::optional<Flakes> flakes_of(const Material& material) {
@@ -26,12 +31,18 @@ std::optional<Flakes> flakes_of(const Material& material) {
                   material.refractive_index};
 }
 
+constexpr double albedo_error = 1e-4; ///< a tenth of the tables' own error of interpolation
+
+std::shared_ptr<const StretchedAlbedo> stretched_albedo_of(const std::optional<Gloss>& gloss) {
+    if (!gloss || !gloss->distribution.is_stretched()) return {};
+    return std::make_shared<const StretchedAlbedo>(*gloss);
+}
+
 template <class Lobe>
 std::shared_ptr<const AlbedoTable> table_of(const std::optional<Lobe>& lobe) {
     if (!lobe) return {};
-    constexpr double allowed = 1e-4; // a tenth of the table's own error of interpolation
     return std::make_shared<const AlbedoTable>(
-        [&](double cosine) { return directional_albedo(*lobe, cosine, allowed); });
+        [&](double cosine) { return directional_albedo(*lobe, cosine, albedo_error); });
 }
 
 /// Reflectance of the base; flakes take their share of the light first.
@@ -55,6 +66,14 @@ double integrable_width(DistributionKind kind, double width) {
     return exponent ? std::clamp(width, 1.0, 1e6) : std::clamp(width, 0.005, 1.0);
 }
 
+/// Roughness whose widths are multiplied.
+Roughness roughened(Roughness rough, double factor) {
+    rough.width = integrable_width(rough.kind, rough.width * factor);
+    if (rough.scratches)
+        rough.scratches->across = integrable_width(rough.kind, rough.scratches->across * factor);
+    return rough;
+}
+
 ClearCoat coat_of(const Material& material, std::shared_ptr<const AlbedoTable> rough) {
     if (material.metal || material.glass) return {Rgb(0), 1};
     if (rough) return {base_of(material), material.refractive_index, std::move(rough)};
@@ -68,12 +87,16 @@ Paint::Paint(const Material& material)
       refractive_index_(material.refractive_index),
       gloss_(gloss_of(material)),
       flakes_(flakes_of(material)),
-      gloss_albedo_(table_of(gloss_)),
+      stretched_albedo_(stretched_albedo_of(gloss_)),
+      gloss_albedo_(stretched_albedo_ ? stretched_albedo_->mean() : table_of(gloss_)),
       flake_albedo_(table_of(flakes_)),
       mirror_(border_of(material)),
       base_(coat_of(material, gloss_albedo_)),
       takes_light_(gloss_ || flakes_ || base_of(material) != Rgb(0)),
-      emitted_(material.emits) {}
+      emitted_(material.emits) {
+    if (material.roughness && material.roughness->scratches)
+        scratches_ = material.roughness->scratches->direction;
+}
 
 Paint Paint::varied(const Material& material, const MapValues& values) const {
     Paint paint = *this;
@@ -83,10 +106,9 @@ Paint Paint::varied(const Material& material, const MapValues& values) const {
     paint.emitted_ = material.emits * values.emission;
     paint.gloss_share_ = values.gloss;
     paint.passed_share_ = values.transmission;
-    if (gloss_) {
-        const auto& [kind, width, mode] = *material.roughness;
-        paint.gloss_->distribution = {kind, integrable_width(kind, width * values.roughness)};
-    }
+    if (gloss_)
+        paint.gloss_->distribution =
+            distribution_of(roughened(*material.roughness, values.roughness));
     return paint;
 }
 
@@ -102,11 +124,20 @@ double Paint::lobe_width() const {
     return std::min(2 * spread, widest);
 }
 
-Rgb Paint::gloss_albedo(double cosine) const {
+Rgb Paint::gloss_albedo(double cosine, double doubled) const {
     Rgb sum;
-    if (gloss_albedo_) sum += gloss_share_ * (*gloss_albedo_)(cosine);
+    if (stretched_albedo_)
+        sum += gloss_share_ * (*stretched_albedo_)(cosine, doubled);
+    else if (gloss_albedo_)
+        sum += gloss_share_ * (*gloss_albedo_)(cosine);
     if (flake_albedo_) sum += (*flake_albedo_)(cosine);
     return sum;
+}
+
+double Paint::passed_by_brushed(double cosine, double doubled) const {
+    if (!stretched_albedo_) return 1;
+    const double mean = base_.entering(cosine);
+    return mean > 0 ? (1 - (*stretched_albedo_)(cosine, doubled).g) / mean : 1;
 }
 
 } // namespace keiko

@@ -2,6 +2,7 @@
 
 #include "keiko/light/luminance/clear_coat.h"
 #include "keiko/light/luminance/flake_kernel.h"
+#include "keiko/light/luminance/stretched_albedo.h"
 #include "keiko/maps/surface_maps.h"
 #include "keiko/scene/material.h"
 
@@ -43,14 +44,22 @@ public:
     bool takes_light() const { return takes_light_; }
     /// Width in radians of a square of directions that stands for the widest lobe.
     double lobe_width() const;
+    /// Which way the scratches of a brushed border run; null without any.
+    const ScratchDirection* scratches() const { return scratches_ ? &*scratches_ : nullptr; }
     /// Share of uniform light from all sides that the lobes reflect to a viewer under `cosine`.
-    Rgb gloss_albedo(double cosine) const;
+    /// `doubled`: of a brushed border, see StretchedAlbedo.
+    Rgb gloss_albedo(double cosine, double doubled = 0) const;
+    /// Factor of the light of base() for such a viewer, whose mean is 1: a brushed coat passes more
+    /// of it in some directions than in others.
+    double passed_by_brushed(double cosine, double doubled) const;
 
 private:
     std::optional<Glass> glass_;
     double refractive_index_;
     std::optional<Gloss> gloss_;
     std::optional<Flakes> flakes_;
+    std::optional<ScratchDirection> scratches_;
+    std::shared_ptr<const StretchedAlbedo> stretched_albedo_; ///< of a brushed border
     std::shared_ptr<const AlbedoTable> gloss_albedo_, flake_albedo_;
     Reflectance mirror_;
     ClearCoat base_;

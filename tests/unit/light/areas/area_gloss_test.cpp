@@ -131,6 +131,10 @@ TEST(AreaGloss, PartsOfAPanelAddUpAtGrazingAngles) {
          {DistributionKind::beckmann, DistributionKind::trowbridge_reitz}) {
         const Gloss gloss{.distribution = {kind, 0.02}};
         compare(GlossKernel(gloss, up, eye));
+        for (const Vec3& along : {Vec3(1, 0, 0), Vec3(1, 1, 0), Vec3(0, 1, 0)}) {
+            const Gloss brushed{.distribution = {kind, 0.01, 0.08}};
+            compare(GlossKernel(brushed, up, eye, along));
+        }
     }
     const Flakes flakes;
     compare(FlakeKernel(flakes, up, eye));
