@@ -90,7 +90,8 @@ CHAMBERS = {
     },
     "render": {
         "reflection": set(),
-        "shading": {"reflection"},
+        "caustics": set(),
+        "shading": {"reflection", "caustics"},
         "lighting": {"shading"},
         "antialias": {"lighting"},
     },

@@ -42,6 +42,12 @@ Fixture shut_line();
 BptFixture saddle();
 BptFixture dome();
 
+/// Bodies that throw light on the floor: a band of 100 mm inner radius, water in the shape of a
+/// glass, without its bottom's face, and a rippled surface of water, 800 mm wide.
+BptFixture ring();
+BptFixture water_glass();
+BptFixture ripples();
+
 /// Surroundings of a car in pictures of lights, of flat patches in mm: a house front with four
 /// barred windows, a wall without, a mast with an arm that holds a lantern.
 BptFixture facade();

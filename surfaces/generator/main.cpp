@@ -22,8 +22,8 @@ int main(int argc, char** argv) {
             report(fixture.file, fixture.truths);
             write_step(directory / fixture.file, fixture.faces);
         }
-        for (const auto make :
-             {saddle, dome, facade, wall, mast, workshop_bay, workbench, teapot, tea, figure}) {
+        for (const auto make : {saddle, dome, ring, water_glass, ripples, facade, wall, mast,
+                                workshop_bay, workbench, teapot, tea, figure}) {
             const BptFixture fixture = make();
             report(fixture.file, fixture.truths);
             write_bpt(directory / fixture.file, fixture.patches);

@@ -64,6 +64,37 @@ intensity = 400
         self.assertAlmostEqual(float(dimmed["sum"]), 100 * passed, delta=1e-9)
         self.assertEqual(float(shaded["sum"]), 0)
 
+    def test_mirrors_and_water_throw_light_with_caustics(self):
+        square = "1\n1 1\n{0} {0} {1}\n{2} {0} {1}\n{0} {2} {1}\n{2} {2} {1}\n"
+        self.write("floor.bpt", square.format(-300, 0, 300))
+        self.write("above.bpt", square.format(-900, 1000, 900))
+        scene = """format = "keiko-scene/1"
+[caustics]
+detail = 8
+[[model]]
+file = "floor.bpt"
+material = "clay"
+[[model]]
+file = "above.bpt"
+material = { refractive_index = 1.333, glass = { absorption = 0.0001 } }
+[[point]]
+position = [0, 0, HEIGHT]
+intensity = 100
+"""
+        point, n = "0,0,0,0,0,1\n", 1.333
+        passed = 1 - ((n - 1) / (n + 1)) ** 2
+        # From above the water a depth of z looks like z / n: so much nearer, the light spreads less.
+        wet, = self.rows(point, scene=scene.replace("HEIGHT", "3000"))
+        lux = 100 / (2 + 1 / n) ** 2 * passed * math.exp(-0.0001 * 1000)
+        self.assertAlmostEqual(float(wet["sum"]), lux, delta=1e-6 * lux)
+        # Below a mirror the lamp's image stands as far above it.
+        mirror = scene.replace("{ refractive_index = 1.333, glass = { absorption = 0.0001 } }", '"chrome"')
+        lit, = self.rows(point, scene=mirror.replace("HEIGHT", "400"))
+        direct, = self.rows(point, scene=mirror.replace("HEIGHT", "400").replace("[caustics]\ndetail = 8\n", ""))
+        self.assertAlmostEqual(float(direct["sum"]), 100 / 0.4**2, delta=1e-9)
+        share = (float(lit["sum"]) - float(direct["sum"])) / (100 / 1.6**2)
+        self.assertTrue(0.64 < share < 0.70, share)
+
     def test_a_summary_has_mean_and_uniformity(self):
         points = "0,0,0,0,0,1\n200,0,0,0,0,1\n"
         lux = [float(row["sum"]) for row in self.rows(points)]

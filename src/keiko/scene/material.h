@@ -84,6 +84,12 @@ inline std::vector<bool> shadowless_faces(std::span<const Material> materials) {
     return faces;
 }
 
+/// Reflectance of a material's border.
+inline Reflectance border_of(const Material& material) {
+    return material.metal ? Reflectance::metal(*material.metal)
+                          : Reflectance::dielectric(material.refractive_index);
+}
+
 /// True for each of some faces whose material is glass.
 inline std::vector<bool> glass_faces(std::span<const Material> materials) {
     std::vector<bool> are_glass;

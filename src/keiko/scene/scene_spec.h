@@ -4,6 +4,7 @@
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/math/affine.h"
 #include "keiko/scene/camera.h"
+#include "keiko/scene/caustic_spec.h"
 #include "keiko/scene/environment_spec.h"
 #include "keiko/scene/material.h"
 
@@ -87,6 +88,7 @@ struct SceneSpec {
     std::optional<int> max_depth;                 ///< mirror reflections followed along one ray
     std::optional<double> min_weight;             ///< reflections that count less end the path
     std::optional<EnvironmentSpec> environment{}; ///< surroundings at infinity
+    std::optional<CausticSpec> caustics{};        ///< none: without
     std::vector<Animation> animations{};          ///< without fault; see at_frame
 };
 

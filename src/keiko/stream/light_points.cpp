@@ -2,6 +2,7 @@
 
 #include "keiko/base/parallel.h"
 #include "keiko/light/rig/prepared_rig.h"
+#include "keiko/render/caustics/caustics.h"
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/render/shading/glass_loss.h"
 #include "keiko/stream/hit_columns.h"
@@ -34,9 +35,16 @@ struct LitScene {
     std::vector<std::string> columns; ///< of the results
     PreparedRig rig;
     GlassLoss glass;
+    std::optional<Caustics> caustics;
 
-    LitScene(const Scene& lit, const LightRig& by)
-        : scene(lit), columns(columns_of(by)), rig(by), glass(lit.seen(), lit.seen_materials()) {}
+    LitScene(const Scene& lit, const LightRig& by, const Job& job)
+        : scene(lit),
+          columns(columns_of(by)),
+          rig(by),
+          glass(lit.seen(), lit.seen_materials(), lit.caustics.has_value()) {
+        if (lit.caustics)
+            caustics.emplace(lit.seen(), lit.seen_materials(), rig, *lit.caustics, job);
+    }
 
     /// The first source that a point lies in a lamp of; nullopt: none.
     std::optional<std::size_t> source_around(const Vec3& point) const {
@@ -57,10 +65,12 @@ void end_before_lamps(ParsedRays& points, const RayLines& lines, const LitScene&
             return end_before(points, lines, i, in_lamp(lit.columns[*source]), point_header);
 }
 
-/// A place on the surfaces for which light is computed.
+/// A place for which light is computed.
 struct Place {
     Vec3 position;
-    std::optional<Root> root; ///< its own, if it is on a surface
+    std::optional<Hit> hit{}; ///< if it is on a surface
+
+    std::optional<Root> root() const { return hit ? std::optional(hit->root) : std::nullopt; }
 };
 
 /// The point of a surface that is nearest along the normal, if it is within the rounding of
@@ -71,10 +81,10 @@ Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
     across.origin = point;
     across.direction = normal;
     across.t_min = -meant, across.t_max = meant;
-    Place place{point, {}};
+    Place place{point};
     double nearest = std::numeric_limits<double>::infinity();
     for (const Hit& hit : surfaces.all(across))
-        if (std::abs(hit.t) < nearest) nearest = std::abs(hit.t), place = {hit.position, hit.root};
+        if (std::abs(hit.t) < nearest) nearest = std::abs(hit.t), place = {hit.position, hit};
     return place;
 }
 
@@ -83,7 +93,16 @@ void dim_by_glass(const LitScene& in, const Place& place, std::span<const LightI
                   std::vector<Rgb>& lux) {
     for (std::size_t i = 0; i < lights.size(); ++i)
         lux[i] *= in.glass.left(in.rig.sources[lights[i].source], lights[i].lamp, place.position,
-                                place.root);
+                                place.root());
+}
+
+/// Light of each source by way of mirrors and glass; empty without.
+std::vector<Rgb> caustics_at(const LitScene& in, const Place& place, const Vec3& normal) {
+    if (!in.caustics || !place.hit) return {};
+    const Hit& hit = *place.hit;
+    constexpr double near = 1e-3; // mm: beams about a point
+    return in.caustics->at({hit.instance, hit.face, place.position, normal,
+                            hit.dpdu.normalized() * near, hit.dpdv.normalized() * near});
 }
 
 std::vector<double> lux_at(const LitScene& in, const Ray& point) {
@@ -93,19 +112,21 @@ std::vector<double> lux_at(const LitScene& in, const Ray& point) {
     const DirectLighting lights(in.rig, occluders, occluders ? occluders->tracer() : scene.seen());
     const Place place = place_of(scene.seen(), point.origin, normal);
     constexpr TubeModel model = TubeModel::automatic;
-    const PointLighting lit(
-        in.rig, place.position, normal, model, lights.lights(),
-        lights.light_visibility(place.position, normal, place.root, lights.lights(), model, false));
+    const PointLighting lit(in.rig, place.position, normal, model, lights.lights(),
+                            lights.light_visibility(place.position, normal, place.root(),
+                                                    lights.lights(), model, false));
+    const std::vector<Rgb> caustics = caustics_at(in, place, normal);
     std::vector<Rgb> by_light = lit.illuminance_by_light();
     if (occluders && in.glass.any()) dim_by_glass(in, place, lights.lights(), by_light);
     std::vector<double> lux;
     Rgb sum;
-    each_source(lights.lights(), [&](std::size_t, std::span<const int> lamps, std::size_t first) {
-        Rgb lx;
+    const auto add = [&](std::size_t source, std::span<const int> lamps, std::size_t first) {
+        Rgb lx = caustics.empty() ? Rgb() : caustics[source];
         for (std::size_t i = 0; i < lamps.size(); ++i) lx += by_light[first + i];
         lux.push_back(luminance(lx));
         sum += lx;
-    });
+    };
+    each_source(lights.lights(), add);
     lux.push_back(luminance(sum));
     return lux;
 }
@@ -162,7 +183,7 @@ struct Column {
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job) {
     require_rig(scene);
-    const LitScene lit(scene, *scene.rig);
+    const LitScene lit(scene, *scene.rig, job);
     std::string header;
     for (const std::string& column : lit.columns) header += column + ',';
     header.back() = '\n';
@@ -182,7 +203,7 @@ std::uint64_t light_points(const Scene& scene, const ByteSource& points, const B
 PointIlluminance illuminance_at(const Scene& scene, const LightRig& rig,
                                 std::span<const Ray> points, const Job& job) {
     require_rays(points, "points", {}, point_header);
-    const LitScene lit(scene, rig);
+    const LitScene lit(scene, rig, job);
     for (std::size_t i = 0; i < points.size(); ++i)
         if (const auto source = lit.source_around(points[i].origin))
             throw FieldError("points[" + std::to_string(i) + "]", in_lamp(lit.columns[*source]));
@@ -201,7 +222,7 @@ PointIlluminance illuminance_at(const Scene& scene, const LightRig& rig,
 std::uint64_t summarize_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                                const Job& job) {
     require_rig(scene);
-    const LitScene lit(scene, *scene.rig);
+    const LitScene lit(scene, *scene.rig, job);
     const std::vector<std::string>& names = lit.columns;
     std::vector<Column> columns(names.size());
     std::uint64_t count = 0;

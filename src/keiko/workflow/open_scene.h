@@ -58,6 +58,7 @@ struct Scene {
     std::vector<std::filesystem::path> inputs{}; ///< model files, or the scene file
     std::optional<FollowedAnalysis> analysis{};  ///< that it was opened with, on its body
     std::shared_ptr<const SceneMaps> maps{};     ///< of its materials, and its environment
+    std::optional<CausticSpec> caustics{};       ///< of the scene file
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
@@ -71,8 +72,8 @@ struct Scene {
     }
     /// Scene of pictures under a rig, to which, as to the scene, a reference is kept.
     PictureScene picture(const LightRig& under) const {
-        return {seen(),    seen_materials(), under, background, occluders ? &*occluders : nullptr,
-                maps.get()};
+        return {seen(),     seen_materials(), under, background, occluders ? &*occluders : nullptr,
+                maps.get(), caustics};
     }
     /// Sets the size of its pictures, in pixels, and of its camera.
     void set_picture_size(int wide, int high);

@@ -123,6 +123,9 @@ TEST_F(SceneFile, MayLimitReflections) {
     EXPECT_FALSE(scene(model).max_depth);
     const SceneSpec read = scene("max_depth = 5\nmin_weight = 0.25\n" + model);
     EXPECT_EQ(read.max_depth, 5);
+    EXPECT_FALSE(read.caustics);
+    const CausticSpec wanted{.detail = 99, .interfaces = 4, .min_weight = 0.05};
+    EXPECT_EQ(scene(model + "[caustics]\ndetail = 99\n").caustics, wanted);
     EXPECT_EQ(read.min_weight, 0.25);
 }
 
@@ -156,6 +159,12 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "4:39: model[0].override[0].layer: is not supported yet");
     EXPECT_EQ(error(model + "[ground]\nheight = 0\n").substr(0, 34),
               "5:1: unknown key 'ground.height'");
+    EXPECT_EQ(error(model + "[caustics]\ndetail = 4\n"),
+              "5:10: caustics.detail: must be at least 8 and at most 2048, is 4");
+    EXPECT_EQ(error(model + "[caustics]\ninterfaces = 13\n"),
+              "5:14: caustics.interfaces: must be at least 1 and at most 12, is 13");
+    EXPECT_EQ(error(model + "[caustics]\nmin_weight = 0\n"),
+              "5:14: caustics.min_weight: must be at least 0.001 and at most 1, is 0");
     EXPECT_EQ(error("max_depth = 65\n" + model),
               "2:13: max_depth: must be at least 0 and at most 64, is 65");
     EXPECT_EQ(error("view = \"top\"\n"),

@@ -201,6 +201,16 @@ void take_primitive(const TomlTable& table, const std::vector<Material>& materia
         scene.rig->sources.push_back(std::move(light));
 }
 
+CausticSpec caustics_from(const TomlTable& table) {
+    CausticSpec caustics;
+    caustics.detail = table.integer("detail", 8, 2048).value_or(caustics.detail);
+    caustics.interfaces = table.integer("interfaces", 1, 12).value_or(caustics.interfaces);
+    caustics.min_weight =
+        table.number("min_weight", {.low = 0.001, .high = 1}).value_or(caustics.min_weight);
+    table.finish();
+    return caustics;
+}
+
 GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& materials) {
     GroundSpec ground;
     ground.z = table.number("z", TomlLimits::place()).value_or(ground.z);
@@ -242,6 +252,7 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     for (const TomlTable& table : root.tables("primitive"))
         if (table.has("material")) take_primitive(table, materials, scene);
     if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
+    if (const auto caustics = root.table("caustics")) scene.caustics = caustics_from(*caustics);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
     scene.min_weight = root.number("min_weight", TomlLimits::share());
     for (const TomlTable& table : root.tables("animation"))

@@ -29,22 +29,6 @@ constexpr double widest_bend = 0.17632698070846498 * 0.17632698070846498;
 /// of another is.
 bool is_same_surface(const SurfacePlace& a, const SurfacePlace& b);
 
-/// Point at which a camera ray, or a mirror reflection of it, hits a surface whose base and lobes
-/// are lit by the lamps directly.
-struct ShadingPoint {
-    std::size_t sample = 0; ///< of the camera rays, in their order
-    /// Way to it: 0 from the eye; from the place b by mirror reflection 2 b + 1, through it 2 b
-    /// + 2.
-    std::uint64_t branch = 0;
-    SurfacePlace place{}; ///< its normal on the side of the viewer
-    Root root{};          ///< of the hit, for rays from the point to leave out
-    Vec3 eye{0};          ///< unit, towards the viewer
-    Rgb weight{};         ///< weight of its luminance in the sample
-    Vec3 along{0};        ///< of the scratches of a brushed paint, of any length
-    /// Its own paint and whether its light may be interpolated; of places with maps alone.
-    std::shared_ptr<const MappedPaint> mapped{};
-};
-
 /// Light of the lamps at a shading point: smooth along a surface except for shadows.
 struct DirectLight {
     Rgb illuminance;     ///< lx, of what enters the base
@@ -63,6 +47,23 @@ struct DirectLight {
     }
     /// Light times a number.
     DirectLight operator*(double s) const { return {illuminance * s, lobes * s, incident * s}; }
+};
+
+/// Point at which a camera ray, or a mirror reflection of it, hits a surface whose base and lobes
+/// are lit by the lamps directly.
+struct ShadingPoint {
+    std::size_t sample = 0; ///< of the camera rays, in their order
+    /// Way to it: 0 from the eye; from the place b by mirror reflection 2 b + 1, through it 2 b
+    /// + 2.
+    std::uint64_t branch = 0;
+    SurfacePlace place{};   ///< its normal on the side of the viewer
+    Root root{};            ///< of the hit, for rays from the point to leave out
+    Vec3 eye{0};            ///< unit, towards the viewer
+    Rgb weight{};           ///< weight of its luminance in the sample
+    Vec3 along{0};          ///< of the scratches of a brushed paint, of any length
+    DirectLight caustics{}; ///< which is not interpolated
+    /// Its own paint and whether its light may be interpolated; of places with maps alone.
+    std::shared_ptr<const MappedPaint> mapped{};
 };
 
 /// Pairs of neighbours in a grid of places that show one smooth surface.

@@ -3,6 +3,7 @@
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/glass/pane.h"
 #include "keiko/light/luminance/fresnel.h"
+#include "keiko/render/caustics/light_chart.h"
 #include "keiko/render/shading/direct_lighting.h"
 
 #include <algorithm>
@@ -73,25 +74,27 @@ std::vector<LitPlace> places_of(const PreparedSource& source, int lamp, const Ve
 
 } // namespace
 
-GlassLoss::GlassLoss(const Tracer& tracer, std::span<const Material> materials)
+GlassLoss::GlassLoss(const Tracer& tracer, std::span<const Material> materials, bool caustics)
     : tracer_(tracer),
       materials_(materials),
       any_(std::any_of(materials.begin(), materials.end(),
-                       [](const Material& material) { return material.glass.has_value(); })) {}
+                       [](const Material& material) { return material.glass.has_value(); })),
+      caustics_(caustics) {}
 
 Rgb GlassLoss::left(const PreparedSource& source, int lamp, const Vec3& point,
                     const std::optional<Root>& root) const {
     Rgb sum;
     double weights = 0;
+    const bool bent = caustics_ && casts_caustics(source);
     for (const auto& [place, weight] : places_of(source, lamp, point)) {
-        sum += left_along(point, root, place - point) * weight;
+        sum += left_along(point, root, place - point, bent) * weight;
         weights += weight;
     }
     return weights > 0 ? sum / weights : Rgb(1);
 }
 
-Rgb GlassLoss::left_along(const Vec3& point, const std::optional<Root>& root,
-                          const Vec3& towards) const {
+Rgb GlassLoss::left_along(const Vec3& point, const std::optional<Root>& root, const Vec3& towards,
+                          bool bent) const {
     Ray way;
     way.origin = point, way.direction = towards, way.t_max = 1, way.excluded = root;
     const double length = towards.length();
@@ -107,6 +110,7 @@ Rgb GlassLoss::left_along(const Vec3& point, const std::optional<Root>& root,
             left *= pane_shares(cosine, material.refractive_index, absorption, pane).passed;
             continue;
         }
+        if (bent) return {};
         left *= 1 - fresnel_dielectric(cosine, material.refractive_index);
         solid.push_back(&hit);
     }

@@ -14,8 +14,9 @@ namespace keiko {
 /// at each interface, and absorption inside (docs/theory/glass.md#shadows). Light is not bent.
 class GlassLoss {
 public:
-    /// `materials`: one a face of the tracer's model. Keeps references to both.
-    GlassLoss(const Tracer& tracer, std::span<const Material> materials);
+    /// `materials`: one a face of the tracer's model. Keeps references to both. With `caustics`
+    /// solid glass lets no light of points and suns straight on: Caustics have it.
+    GlassLoss(const Tracer& tracer, std::span<const Material> materials, bool caustics = false);
 
     /// False where there is no glass.
     bool any() const { return any_; }
@@ -27,14 +28,15 @@ public:
              const std::optional<Root>& root) const;
 
 private:
-    /// `towards`: from the point to the lamp, mm.
-    Rgb left_along(const Vec3& point, const std::optional<Root>& root, const Vec3& towards) const;
+    /// `towards`: from the point to the lamp, mm. `bent`: the light is that of caustics.
+    Rgb left_along(const Vec3& point, const std::optional<Root>& root, const Vec3& towards,
+                   bool bent) const;
     /// Share that the ways inside solid glass leave; `solid`: its interfaces, by rising t.
     Rgb left_inside(std::span<const Hit* const> solid, double length) const;
 
     const Tracer& tracer_;
     std::span<const Material> materials_;
-    bool any_;
+    bool any_, caustics_;
 };
 
 } // namespace keiko

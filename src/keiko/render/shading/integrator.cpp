@@ -1,5 +1,6 @@
 #include "keiko/render/shading/integrator.h"
 
+#include "keiko/intersect/hit/local_surface.h"
 #include "keiko/light/fog/transmittance.h"
 #include "keiko/light/luminance/flake_kernel.h"
 #include "keiko/light/luminance/gloss_kernel.h"
@@ -43,7 +44,7 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
       sky_(scene.rig),
       rig_(scene.rig),
       lights_(rig_, scene.occluders, scene.casting()),
-      glass_(scene.tracer, scene.materials),
+      glass_(scene.tracer, scene.materials, scene.caustics.has_value()),
       tubes_(scene.occluders ? options.tubes : TubeModel::preview),
       tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)),
       refines_(options.edge_samples > 1),
@@ -58,6 +59,8 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
         mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light() && !material.glass &&
                          material.maps.empty();
     }
+    if (scene.caustics)
+        caustics_.emplace(scene.tracer, scene.materials, rig_, *scene.caustics, job);
     if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.casting(), *eye, job);
 }
 
@@ -97,6 +100,7 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     if (takes_light(paint, path.branch)) {
         view.points.push_back(shading_point_at(path, met));
         view.points.back().mapped = mapped;
+        if (caustics_) view.points.back().caustics = caustic_light(view.points.back(), met);
         sample.lit = true;
         sample.luminance += path.weight * ambient_luminance(view.points.back());
     }
@@ -154,6 +158,21 @@ ShadingPoint Integrator::shading_point_at(const PathState& path, const PathVerte
         scratches ? direction_at(*scratches, hit.position, hit.dpdu, hit.dpdv) : Vec3(0);
     return {path.sample, path.branch, {hit.position, normal, paint}, hit.root, eye,
             path.weight, along};
+}
+
+DirectLight Integrator::caustic_light(const ShadingPoint& point, const PathVertex& met) const {
+    const Hit& hit = *met.hit;
+    SurfaceFootprint footprint{hit.instance,          hit.face,
+                               hit.position,          point.place.normal,
+                               hit.dpdu.normalized(), hit.dpdv.normalized()}; // 1 mm
+    if (met.ray.differentials) {
+        const RayDifferentials& d = *met.ray.differentials;
+        footprint.dx = bounded(transfer(met.ray, hit, d.origin_dx, d.direction_dx));
+        footprint.dy = bounded(transfer(met.ray, hit, d.origin_dy, d.direction_dy));
+    }
+    const ClearCoat& base = paints_[point.place.paint].base();
+    const CausticLight light = caustics_->over(footprint, base.passes_all() ? nullptr : &base);
+    return {light.entering, Rgb(), keiko::luminance(light.incident)};
 }
 
 void Integrator::note_behind(const PathVertex& met, PixelSample& sample) const {
@@ -299,8 +318,9 @@ Rgb Integrator::luminance(const ShadingPoint& point, const Ray& mirrored) const 
 
 void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
                            PixelSample& sample) const {
-    sample.luminance += point.weight * luminance(point, light);
-    if (point.branch == 0) sample.illuminance = light.incident;
+    const DirectLight all = light + point.caustics;
+    sample.luminance += point.weight * luminance(point, all);
+    if (point.branch == 0) sample.illuminance = all.incident;
 }
 
 Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {

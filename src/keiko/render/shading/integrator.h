@@ -4,6 +4,7 @@
 #include "keiko/intersect/hit/refract_ray.h"
 #include "keiko/light/rig/rig_areas.h"
 #include "keiko/light/rig/rig_sky.h"
+#include "keiko/render/caustics/caustics.h"
 #include "keiko/render/reflection/lamp_reflections.h"
 #include "keiko/render/reflection/reflected_grid.h"
 #include "keiko/render/reflection/sample_batch.h"
@@ -87,7 +88,7 @@ public:
     /// base and lobes, and what the surface reflects of the ray `mirrored` from there. Glass passes
     /// nothing.
     Rgb luminance(const ShadingPoint& point, const Ray& mirrored) const;
-    /// Adds the luminance by `light` to the sample of a shading point.
+    /// Adds the luminance by `light` and by caustics to the sample of a shading point.
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 
 private:
@@ -214,6 +215,8 @@ private:
     void record_aovs(const PathState& path, const PathVertex& met, PixelSample& sample) const;
     bool takes_light(std::uint32_t paint, std::uint64_t branch) const;
     ShadingPoint shading_point_at(const PathState& path, const PathVertex& met) const;
+    /// Light of caustics on the footprint of a ray.
+    DirectLight caustic_light(const ShadingPoint& point, const PathVertex& met) const;
     /// Adds the light of all shading points of a view to their samples.
     SampleBatch lit(SampleBatch view) const;
     /// The surroundings; null without any.
@@ -247,6 +250,7 @@ private:
     PreparedRig rig_;
     DirectLighting lights_; ///< refers to rig_
     GlassLoss glass_;
+    std::optional<Caustics> caustics_;
     TubeModel tubes_;
     bool tells_illuminance_, refines_, keeps_hits_;
     bool mirrors_alone_ = true; ///< no paint takes light, and there is no glass

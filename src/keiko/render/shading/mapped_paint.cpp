@@ -6,14 +6,6 @@
 namespace keiko {
 namespace {
 
-/// A pixel's step along the surface, of finite length also where the ray touches it.
-Vec3 bounded(const Vec3& step) {
-    constexpr double longest = 1e9; // mm
-    const double length = step.length();
-    if (length < longest) return step;
-    return std::isfinite(length) ? step * (longest / length) : Vec3(longest, 0, 0);
-}
-
 /// True if a ray meets the front of a normal there, and is mirrored above the surface.
 bool is_visible(const Vec3& normal, const Vec3& direction, const Vec3& flat) {
     return normal.dot(direction) < 0 && reflect(direction, normal).dot(flat) > 0;
@@ -37,6 +29,13 @@ void raise(Hit& hit, const Vec3& flat, const HeightJet& height) {
 }
 
 } // namespace
+
+Vec3 bounded(const Vec3& step) {
+    constexpr double longest = 1e9; // mm
+    const double length = step.length();
+    if (length < longest) return step;
+    return std::isfinite(length) ? step * (longest / length) : Vec3(longest, 0, 0);
+}
 
 MapPlace MappedHits::place_of(const Ray& ray, const Hit& hit) const {
     MapPlace place{hit.position, hit.normal};

@@ -23,6 +23,9 @@ inline bool is_uneven(const ShadingPoint& point) {
     return point.mapped && point.mapped->uneven;
 }
 
+/// A pixel's step along the surface, mm, of finite length also where the ray touches it.
+Vec3 bounded(const Vec3& step);
+
 /// The maps of a picture's scene at the hits of its rays.
 class MappedHits {
 public:

@@ -5,11 +5,6 @@
 namespace keiko {
 namespace {
 
-Reflectance border_of(const Material& material) {
-    return material.metal ? Reflectance::metal(*material.metal)
-                          : Reflectance::dielectric(material.refractive_index);
-}
-
 Distribution distribution_of(const Roughness& rough) {
     return rough.scratches ? Distribution(rough.kind, rough.width, rough.scratches->across)
                            : Distribution(rough.kind, rough.width);

@@ -6,6 +6,7 @@
 #include "keiko/light/rig/light_rig.h"
 #include "keiko/light/tubes/c_plane.h"
 #include "keiko/scene/camera.h"
+#include "keiko/scene/caustic_spec.h"
 #include "keiko/scene/material.h"
 #include "keiko/visibility/query/occluders.h"
 
@@ -25,7 +26,8 @@ struct PictureScene {
     Rgb background{0}; ///< cd/m2 behind the body, for camera rays; it is not reflected
     /// All of the model but glass, which dims light instead; without them nothing casts shadows.
     const Occluders* occluders = nullptr;
-    const SceneMaps* maps = nullptr; ///< of the materials, and the environment; null: none
+    const SceneMaps* maps = nullptr;       ///< of the materials, and the environment; null: none
+    std::optional<CausticSpec> caustics{}; ///< none: mirrors and glass throw no light on surfaces
 
     /// Tracer of what casts shadows.
     const Tracer& casting() const { return occluders ? occluders->tracer() : tracer; }

@@ -1,0 +1,87 @@
+#include "keiko/render/caustics/beam_overlap.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+namespace keiko {
+namespace {
+
+/// Part of a beam, in coordinates of a footprint, which is a square from -1/2 to 1/2.
+using Corners = std::vector<Vec2>;
+
+double signed_area(const Corners& corners) {
+    double sum = 0;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        sum += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+    return sum / 2;
+}
+
+/// The part of a convex polygon where `side(corner)` >= 0 [Sutherland1974].
+template <class Side>
+Corners clipped(const Corners& corners, const Side& side) {
+    Corners left;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Vec2 &a = corners[i], &b = corners[(i + 1) % corners.size()];
+        const double from = side(a), to = side(b);
+        if (from >= 0) left.push_back(a);
+        if ((from >= 0) != (to >= 0)) left.push_back(a + (b - a) * (from / (from - to)));
+    }
+    return left;
+}
+
+Corners within_square(Corners corners) {
+    for (const unsigned axis : {0U, 1U})
+        for (const double sense : {1.0, -1.0})
+            corners = clipped(corners, [&](const Vec2& p) { return 0.5 - sense * p[axis]; });
+    return corners;
+}
+
+/// The mean place of a convex polygon; of no area, of its corners.
+Vec2 centroid(const Corners& corners) {
+    Vec2 sum(0), plain(0);
+    double areas = 0;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const double area = (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
+        sum += (corners[0] + corners[i] + corners[i + 1]) * (area / 3);
+        areas += area;
+    }
+    for (const Vec2& corner : corners) plain += corner / static_cast<double>(corners.size());
+    return areas != 0 ? sum / areas : plain;
+}
+
+/// Density at a place of a triangle relative to its mean there.
+double density_at(const Beam& beam, const Corners& triangle, double area, const Vec2& place) {
+    const auto& [a, b, c] = beam.density;
+    const double mean = (a + b + c) / 3, low = std::min({a, b, c}), high = std::max({a, b, c});
+    constexpr double steep = 4; // beyond, a fold is near, where it is not linear
+    if (!(low > 0 && high < steep * low)) return 1;
+    const double u = (triangle[2] - triangle[1]).cross(place - triangle[1]) / (2 * area);
+    const double v = (triangle[0] - triangle[2]).cross(place - triangle[2]) / (2 * area);
+    return (a * u + b * v + c * (1 - u - v)) / mean;
+}
+
+} // namespace
+
+double share_within(const Beam& beam, const SurfaceFootprint& footprint) {
+    const Vec3 across = footprint.dx.cross(footprint.dy);
+    const double area2 = across.length2();
+    Corners triangle;
+    for (const Vec3& corner : beam.corners) {
+        const Vec3 off = corner - footprint.position;
+        triangle.emplace_back(off.cross(footprint.dy).dot(across) / area2,
+                              footprint.dx.cross(off).dot(across) / area2);
+    }
+    const double area = signed_area(triangle);
+    const Corners part = within_square(triangle);
+    if (part.empty()) return 0;
+    constexpr double sliver = 1e-12; // of the footprint: it lies on a line
+    if (!(std::abs(area) > sliver)) {
+        const Vec2 middle = centroid(triangle);
+        return std::max(std::abs(middle.x), std::abs(middle.y)) < 0.5 ? 1 : 0;
+    }
+    return signed_area(part) / area * density_at(beam, triangle, area, centroid(part));
+}
+
+} // namespace keiko
