@@ -205,6 +205,8 @@ inline std::vector<Table> material_tables() {
     return {
         roughness({{"distribution", "\"gauss\""}, {"width", "0.2"}, {"mode", "\"brdf\""}}),
         roughness({{"distribution", "\"phong\""}, {"exponent", "20"}}),
+        roughness({{"width", "0.1"}, {"across", "0.3"}, {"along", "[0, 1, 0]"}}),
+        roughness({{"width", "0.1"}, {"across", "0.3"}, {"around", "{ axis = [0, 0, 1] }"}}),
         material_map({{"drives", "\"diffuse\""},
                       {"texture", "{ kind = \"noise\" }"},
                       {"projection", "{ kind = \"planar\" }"},

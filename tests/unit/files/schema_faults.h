@@ -135,10 +135,19 @@ inline std::vector<WrongValue> wrong_lists(const json& array) {
     return wrong_arrays(array);
 }
 
+/// A word or a direction.
+inline std::vector<WrongValue> wrong_directions(const json& direction) {
+    std::vector<WrongValue> wrong = wrong_words(direction["oneOf"][0]);
+    append(wrong, wrong_arrays(resolved(direction["oneOf"][1])));
+    return wrong;
+}
+
 inline std::vector<WrongValue> wrong_values(const json& property) {
     const json definition = resolved(property);
     if (definition.contains("enum")) return wrong_words(definition);
-    if (definition.contains("oneOf")) return wrong_colors(definition);
+    if (definition.contains("oneOf"))
+        return definition["oneOf"][0].contains("enum") ? wrong_directions(definition)
+                                                       : wrong_colors(definition);
     const std::string type = definition["type"];
     if (type == "array") return wrong_lists(definition);
     if (type == "string") return wrong_texts(definition);

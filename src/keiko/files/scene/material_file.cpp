@@ -56,6 +56,7 @@ ScratchDirection scratch_direction_from(const TomlTable& table) {
 std::optional<Scratches> scratches_from(const TomlTable& table, DistributionKind kind) {
     const auto across = table.number("across", widths);
     if (!across) {
+        table.refuse_misspelt();
         for (const std::string_view key : {"along", "around"})
             if (table.has(key)) throw table.error(key, "needs across, the width across scratches");
         return {};
