@@ -30,12 +30,17 @@ public:
             close(descriptor_);
             throw Error(path.string(), "", reason);
         }
+        size_ = static_cast<std::uintmax_t>(status.st_size);
     }
     ~OpenFile() { close(descriptor_); }
     OpenFile(const OpenFile&) = delete;
     OpenFile& operator=(const OpenFile&) = delete;
 
-    std::string content() const {
+    std::string content(std::uintmax_t most) const {
+        if (size_ > most)
+            throw Error(
+                path_.string(), "",
+                "has " + std::to_string(size_) + " bytes; a text may have " + std::to_string(most));
         std::string text;
         std::array<char, 1 << 16> buffer;
         for (;;) {
@@ -68,6 +73,7 @@ private:
 
     fs::path path_;
     int descriptor_;
+    std::uintmax_t size_ = 0; ///< bytes, when it was opened
 };
 
 } // namespace
@@ -76,8 +82,8 @@ void require_readable_file(const fs::path& path) {
     const OpenFile file(path);
 }
 
-std::string read_file(const fs::path& path) {
-    return OpenFile(path).content();
+std::string read_file(const fs::path& path, std::uintmax_t most) {
+    return OpenFile(path).content(most);
 }
 
 std::string without_byte_order_mark(std::string text, const fs::path& path) {
@@ -91,7 +97,7 @@ std::string without_byte_order_mark(std::string text, const fs::path& path) {
 }
 
 std::string read_text_file(const fs::path& path) {
-    return without_byte_order_mark(read_file(path), path);
+    return without_byte_order_mark(read_file(path, largest_text), path);
 }
 
 } // namespace keiko

@@ -66,9 +66,10 @@ void add_load_options(CLI::App& command, SceneArguments& arguments) {
     command.add_option("--import-timeout", arguments.import_timeout, "seconds to read one model")
         ->check(number_between(0.001, 1e6))
         ->capture_default_str();
-    command.add_option("--import-memory", arguments.import_memory, "GiB to read one model")
-        ->check(number_between(0.001, 1e6))
-        ->capture_default_str();
+    command
+        .add_option("--import-memory", arguments.import_memory,
+                    "GiB to read one model [16, or the machine's memory where that is less]")
+        ->check(number_between(0.001, 1e6));
     command.add_option("--cache", arguments.options.load.cache,
                        "folder that keeps models as they were read, for the next time");
     command
@@ -81,7 +82,7 @@ void add_load_options(CLI::App& command, SceneArguments& arguments) {
 LoadOptions load_options(const SceneArguments& arguments) {
     LoadOptions options = arguments.options.load;
     options.timeout = std::chrono::milliseconds(std::llround(arguments.import_timeout * 1e3));
-    options.memory_limit = bytes_of(arguments.import_memory);
+    if (arguments.import_memory) options.memory_limit = bytes_of(*arguments.import_memory);
     options.cache_limit = bytes_of(arguments.cache_limit);
     return options;
 }

@@ -8,6 +8,7 @@
 #include <CLI/App.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -27,7 +28,7 @@ struct SceneArguments {
     std::string size;                          ///< WIDTHxHEIGHT; empty: the scene's own
     std::string intersector = "proving";       ///< "proving" or "clipping"
     double import_timeout = 120;               ///< s
-    double import_memory = 16;                 ///< GiB
+    std::optional<double> import_memory;       ///< GiB; nullopt: see usual_memory_limit()
     double cache_limit = 4;                    ///< GiB
     std::filesystem::path analysis;            ///< file of an analysis; empty: none
 

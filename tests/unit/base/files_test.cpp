@@ -54,6 +54,19 @@ TEST_F(Files, ReadingSaysWhyItCannot) {
     EXPECT_EQ(reason_of(folder_ / "empty.step"), "the file is empty");
 }
 
+// A sparse file: nothing of it is read, so that no memory is asked for.
+TEST_F(Files, TextsOfMoreThanAGibibyteAreRefusedUnread) {
+    const fs::path file = folder_ / "endless.ies";
+    std::ofstream(file).put('I');
+    fs::resize_file(file, largest_text + 1);
+    try {
+        read_text_file(file);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.reason(), "has 1073741825 bytes; a text may have 1073741824");
+    }
+}
+
 TEST_F(Files, WritingRoundTripsAndLeavesNothingElse) {
     const std::string text("a\0b\n", 4);
     write_text_file(folder_ / "x.bin", text);

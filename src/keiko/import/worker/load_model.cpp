@@ -7,7 +7,19 @@
 #include "keiko/import/worker/axes_frame.h"
 #include "keiko/import/worker/model_cache.h"
 
+#include <unistd.h>
+
+#include <algorithm>
+
 namespace keiko {
+
+std::uint64_t usual_memory_limit() {
+    constexpr std::uint64_t most = 16ull << 30;
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    if (pages <= 0 || size <= 0) return most;
+    return std::min(most, static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size));
+}
+
 namespace {
 
 /// Keeps a model unless its file was touched while it was read. Throws Error when the file changed:

@@ -12,6 +12,9 @@
 
 namespace KEIKO_API keiko {
 
+/// 16 GiB, or the memory of the machine where that is less.
+std::uint64_t usual_memory_limit();
+
 /// Knobs of load_model.
 struct LoadOptions {
     /// Length unit to read the file's numbers in, whatever the file says; empty: believe it.
@@ -24,7 +27,7 @@ struct LoadOptions {
     /// How long the worker may take.
     std::chrono::milliseconds timeout = std::chrono::seconds(120);
     /// How much address space the worker may use, bytes; 0: no limit.
-    std::uint64_t memory_limit = 16ull << 30;
+    std::uint64_t memory_limit = usual_memory_limit();
     /// Folder in which models are kept as the worker made them, for the next time; made where it
     /// is missing. Empty: none.
     std::filesystem::path cache;
