@@ -32,6 +32,30 @@ PanelOutline shape_of(const PolygonLight& light) {
     return PanelOutline(light);
 }
 
+/// Difference of t below which two lights meet within a pixel: that of its footprint on a surface
+/// at 76 degrees to the ray.
+double meeting_range(const RayDifferentials& spread, const Vec3& direction, double t) {
+    const Vec3 across = spread.origin_dx + spread.direction_dx * t;
+    const Vec3 up = spread.origin_dy + spread.direction_dy * t;
+    return 4 * std::max(across.length(), up.length()) / direction.length();
+}
+
+/// Faces of one lamp meet at an edge: there each covers a part of the pixel that the other leaves.
+/// A layer's share of what those before it leave is made so large that it covers its own part.
+void join_at_edges(std::vector<RigAreas::Layer>& layers, const Vec3& direction,
+                   const RayDifferentials& spread) {
+    double covered = 0; // by the layers that meet the last one
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        AreaHit& hit = layers[i].hit;
+        const bool meets =
+            i > 0 && hit.t - layers[i - 1].hit.t <= meeting_range(spread, direction, hit.t);
+        if (!meets) covered = 0;
+        const double own = hit.coverage;
+        hit.coverage = covered < 1 ? std::min(own / (1 - covered), 1.0) : 0;
+        covered = std::min(covered + own, 1.0);
+    }
+}
+
 } // namespace
 
 RigAreas::RigAreas(const LightRig& rig) {
@@ -57,6 +81,7 @@ std::vector<RigAreas::Layer> RigAreas::along(const Vec3& origin, const Vec3& dir
     }
     std::stable_sort(layers.begin(), layers.end(),
                      [](const Layer& a, const Layer& b) { return a.hit.t < b.hit.t; });
+    if (spread) join_at_edges(layers, direction, *spread);
     return layers;
 }
 

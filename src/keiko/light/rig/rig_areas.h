@@ -16,7 +16,9 @@ class RigAreas {
 public:
     /// An area light along a ray.
     struct Layer {
-        AreaHit hit;   ///< its distance, and the share of the pixel that it fills
+        /// Its distance, and the share, 0 to 1, that it fills of what nearer ones leave of the
+        /// pixel. Lights that meet at an edge there fill their parts side by side.
+        AreaHit hit;
         Rgb luminance; ///< cd/m2
     };
 

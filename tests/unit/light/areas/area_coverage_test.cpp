@@ -130,5 +130,34 @@ TEST(RigAreas, NearestComesFirst) {
     EXPECT_TRUE(RigAreas(LightRig{}).empty());
 }
 
+/// Share of a pixel that some lights leave dark, towards +z.
+double dark_share(std::vector<LightSource> lights, const Vec3& direction) {
+    LightRig rig;
+    rig.sources = std::move(lights);
+    RayDifferentials spread;
+    spread.direction_dx = {0.01, 0, 0}, spread.direction_dy = {0, 0.01, 0};
+    double dark = 1;
+    for (const RigAreas::Layer& layer : RigAreas(rig).along(Vec3(0), direction, spread, 1e9))
+        dark *= 1 - layer.hit.coverage;
+    return dark;
+}
+
+/// A face from the edge x = 0 at z = `depth` on, to x = `side` 500 and 300 mm farther away.
+PolygonLight face(double side, double depth) {
+    const double x = 500 * side, far = depth + 300;
+    return {{{0, -500, depth}, {x, -500, far}, {x, 500, far}, {0, 500, depth}}, Rgb(1), true};
+}
+
+/// The edge of a box of light is as bright as its faces, wherever it cuts a pixel.
+TEST(RigAreas, FacesThatMeetLeaveNothingDark) {
+    for (double x = -0.006; x < 0.006; x += 0.001)
+        EXPECT_NEAR(dark_share({face(-1, 1000), face(1, 1000)}, {x, 0.01, 1}), 0, 1e-12) << x;
+}
+
+/// Of lights at other distances nothing is known but what each covers.
+TEST(RigAreas, LightsFarBehindAnEdgeFillTheirShareOfWhatItLeaves) {
+    EXPECT_NEAR(dark_share({face(-1, 1000), face(1, 2000)}, {0, 0.01, 1}), 0.25, 1e-12);
+}
+
 } // namespace
 } // namespace keiko
