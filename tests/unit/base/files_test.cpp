@@ -54,7 +54,7 @@ TEST_F(Files, ReadingSaysWhyItCannot) {
     EXPECT_EQ(reason_of(folder_ / "empty.step"), "the file is empty");
 }
 
-// A sparse file: nothing of it is read, so that no memory is asked for.
+// A sparse file: nothing of it is read.
 TEST_F(Files, TextsOfMoreThanAGibibyteAreRefusedUnread) {
     const fs::path file = folder_ / "endless.ies";
     std::ofstream(file).put('I');

@@ -154,7 +154,7 @@ TEST(RigAreas, FacesThatMeetLeaveNothingDark) {
         EXPECT_NEAR(dark_share({face(-1, 1000), face(1, 1000)}, {x, 0.01, 1}), 0, 1e-12) << x;
 }
 
-/// Of lights at other distances nothing is known but what each covers.
+/// Lights at other distances cover a pixel independently of each other.
 TEST(RigAreas, LightsFarBehindAnEdgeFillTheirShareOfWhatItLeaves) {
     EXPECT_NEAR(dark_share({face(-1, 1000), face(1, 2000)}, {0, 0.01, 1}), 0.25, 1e-12);
 }
