@@ -134,6 +134,15 @@ class Errors(KeikoTest):
         self.fails("none.toml: no such file", "render", SADDLE, "-o", "a.png", "--rig", "none.toml")
         self.fails("none.toml: no such file", "inspect", SADDLE, "-o", "o", "--rig", "none.toml")
 
+    def test_texts_of_other_encodings_and_of_any_size(self):
+        (self.folder / "wide.toml").write_bytes('format = "keiko-scene/1"\n'.encode("utf-16"))
+        self.fails("wide.toml: is text in UTF-16 or UTF-32: save it as UTF-8", "render", "wide.toml", "-o", "a.png")
+        self.fails("wide.toml: is text in UTF-16", "render", SADDLE, "-o", "a.png", "--rig", "wide.toml")
+        with open(self.folder / "endless.toml", "w") as file:
+            file.truncate(6 << 30)
+        self.fails("endless.toml: has 6442450944 bytes; a text may have 1073741824", "render", SADDLE, "-o", "a.png",
+                   "--rig", "endless.toml")
+
     def test_a_scene_of_a_missing_model(self):
         self.write("scene.toml", 'format = "keiko-scene/1"\n[[model]]\nfile = "none.step"\n')
         for command, output in ("render", "a.png"), ("place", "a.toml"), ("inspect", "out"):
@@ -238,7 +247,7 @@ class Errors(KeikoTest):
             run = subprocess.run([BINARY, "info", SADDLE, "-q"], stdout=full,
                                  stderr=subprocess.PIPE, text=True)
         self.assertEqual((run.returncode, run.stderr),
-                         (2, "keiko: standard output: cannot write\n"))
+                         (2, "keiko: standard output: cannot write: No space left on device\n"))
 
 
 if __name__ == "__main__":

@@ -284,7 +284,8 @@ class Bodies(KeikoTest):
         with open("/dev/full", "w") as full:
             run = subprocess.run([BINARY, "merge", "-q", "out"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE,
                                  text=True)
-        self.assertEqual((run.returncode, run.stderr), (2, "keiko: standard output: cannot write\n"))
+        self.assertEqual((run.returncode, run.stderr),
+                         (2, "keiko: standard output: cannot write: No space left on device\n"))
         run = self.keiko("merge", "-q", "out")
         self.assertEqual(run.returncode, 1)
         self.assertTrue(run.stdout.endswith("see out/index.html\n"))

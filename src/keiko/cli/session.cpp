@@ -6,6 +6,7 @@
 #include "keiko/base/job.h"
 #include "keiko/base/log.h"
 #include "keiko/base/text.h"
+#include "keiko/cli/standard_streams.h"
 
 #include <CLI/Config.hpp>
 #include <CLI/Formatter.hpp>
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -238,7 +240,8 @@ int Session::run_action() {
                   .threads = threads_};
     const StopScope scope(job);
     const int exit_code = action_(job);
-    if (!std::cout.flush()) throw Error("", "standard output", "cannot write");
+    errno = 0;
+    if (!std::cout.flush()) throw unwritten_output(errno);
     return exit_code;
 }
 

@@ -1,7 +1,5 @@
 #include "keiko/cli/standard_streams.h"
 
-#include "keiko/base/error.h"
-
 #include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -10,7 +8,9 @@
 #include <cerrno>
 #include <climits>
 #include <csignal>
+#include <cstring>
 #include <limits>
+#include <string>
 
 namespace keiko::cli {
 namespace {
@@ -40,6 +40,11 @@ std::size_t StandardInput::read(std::span<char> bytes) const {
     }
 }
 
+Error unwritten_output(int code) {
+    const std::string reason = code == 0 ? "" : std::string(": ") + std::strerror(code);
+    return {"", "standard output", "cannot write" + reason};
+}
+
 StandardOutput::StandardOutput(const Job& job)
     : job_(job), most_at_once_(is_file() ? std::numeric_limits<ssize_t>::max() : PIPE_BUF) {
     std::signal(SIGPIPE, SIG_IGN);
@@ -55,7 +60,7 @@ bool StandardOutput::write(std::string_view text) const {
             continue;
         }
         if (errno == EPIPE) return false;
-        if (errno != EINTR && errno != EAGAIN) throw Error("", "standard output", "cannot write");
+        if (errno != EINTR && errno != EAGAIN) throw unwritten_output(errno);
     }
     return true;
 }

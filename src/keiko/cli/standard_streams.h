@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/base/error.h"
 #include "keiko/base/job.h"
 
 #include <span>
@@ -20,6 +21,9 @@ public:
 private:
     const Job& job_;
 };
+
+/// Error of standard output that takes no more. `code`: the errno of the write; 0 if unknown.
+Error unwritten_output(int code);
 
 /// Standard output for a command that writes while it reads; a wait for the reader ends when the
 /// job is stopped.

@@ -212,7 +212,7 @@ FixtureSpec parse_fixture(std::string_view text, const std::string& source) {
 }
 
 FixtureSpec read_fixture(const fs::path& path) {
-    return parse_fixture(read_file(path, largest_text), path.string());
+    return parse_fixture(read_text_file(path), path.string());
 }
 
 std::vector<FixtureFile> fixture_files(const fs::path& folder) {

@@ -170,7 +170,7 @@ std::vector<Material> parse_materials(std::string_view text, const std::string& 
 }
 
 std::vector<Material> read_materials(const std::filesystem::path& path) {
-    return parse_materials(read_file(path, largest_text), path.string());
+    return parse_materials(read_text_file(path), path.string());
 }
 
 const std::vector<Material>& standard_materials() {

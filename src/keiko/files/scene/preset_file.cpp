@@ -79,7 +79,7 @@ CriteriaPreset limits_named(const TomlTable& zone) {
     const std::string name = zone.required("preset", zone.text("preset"));
     if (std::filesystem::path(name).extension() == ".toml") {
         const std::filesystem::path path = readable_path(zone, "preset", name);
-        return parsed(read_file(path, largest_text), path.string(), ZonesOf::none);
+        return parsed(read_text_file(path), path.string(), ZonesOf::none);
     }
     try {
         return preset_by_name(name);
@@ -127,7 +127,7 @@ CriteriaPreset parse_preset(std::string_view text, const std::string& source) {
 }
 
 CriteriaPreset read_preset(const std::filesystem::path& path) {
-    return parse_preset(read_file(path, largest_text), path.string());
+    return parse_preset(read_text_file(path), path.string());
 }
 
 std::span<const CriteriaPreset> standard_presets() {

@@ -113,7 +113,7 @@ LightRig parse_rig_alone(std::string_view text, const std::string& source) {
 }
 
 LightRig read_rig(const std::filesystem::path& path) {
-    return parse_rig(read_file(path, largest_text), path.string());
+    return parse_rig(read_text_file(path), path.string());
 }
 
 namespace {

@@ -264,7 +264,7 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
 }
 
 SceneSpec read_scene(const fs::path& path) {
-    return parse_scene(read_file(path, largest_text), path.string());
+    return parse_scene(read_text_file(path), path.string());
 }
 
 } // namespace keiko

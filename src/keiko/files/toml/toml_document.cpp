@@ -188,7 +188,7 @@ void collect_texts(const toml::node& node, std::vector<std::string>& texts) {
 }
 
 std::vector<std::string> texts_of(const fs::path& file) {
-    const std::string content = read_file(file, largest_text);
+    const std::string content = read_text_file(file);
     require_parsable_toml(content, file.string());
     std::vector<std::string> texts;
     try {

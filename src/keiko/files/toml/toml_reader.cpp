@@ -49,7 +49,7 @@ TomlTable TomlTable::parse_alone(std::string_view text, const std::string& sourc
 }
 
 TomlTable TomlTable::read(const std::filesystem::path& path) {
-    return parse(read_file(path, largest_text), path.string());
+    return parse(read_text_file(path), path.string());
 }
 
 const std::vector<TomlEntry>& TomlTable::entries() const {
