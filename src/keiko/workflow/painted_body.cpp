@@ -8,6 +8,8 @@
 #include <fnmatch.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace keiko {
 namespace {
@@ -37,6 +39,30 @@ void require_matches(const SurfaceModel& model, const ModelSpec& part) {
                         "no face has a name like '" + paint.faces.front() + "'");
 }
 
+/// The models of files, each read once however often it is placed.
+class ModelFiles {
+public:
+    /// Counts how often each file is placed.
+    explicit ModelFiles(std::span<const ModelSpec> parts) {
+        for (const ModelSpec& part : parts) ++files_[part.file].uses;
+    }
+    /// Model of the next use of a file; the last use takes it over.
+    SurfaceModel next(const std::filesystem::path& path, const LoadOptions& options,
+                      const Job& job) {
+        File& file = files_[path];
+        if (!file.model) file.model = load_model(path, options, job);
+        if (--file.uses > 0) return *file.model;
+        return std::move(*file.model);
+    }
+
+private:
+    struct File {
+        std::size_t uses = 0; ///< to come
+        std::optional<SurfaceModel> model;
+    };
+    std::map<std::filesystem::path, File> files_;
+};
+
 } // namespace
 
 SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const std::string& name,
@@ -57,8 +83,9 @@ SceneSpec spec_of(std::span<const std::filesystem::path> inputs, const std::stri
 PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const Job& job) {
     std::vector<SurfaceModel> models;
     std::vector<Material> materials;
+    ModelFiles files(spec.models);
     for (const ModelSpec& part : spec.models) {
-        SurfaceModel model = load_model(part.file, options, job);
+        SurfaceModel model = files.next(part.file, options, job);
         const Affine placed = part.transform.affine();
         for (Instance& instance : model.instances) instance.transform = placed * instance.transform;
         for (const Face& face : model.faces) {

@@ -22,8 +22,8 @@ struct PaintedBody {
     std::vector<Material> materials; ///< as SurfaceModel::faces
 };
 
-/// The models of a scene as one body. Throws Error for input that cannot be read, and for an
-/// override that paints nothing.
+/// The models of a scene as one body. A file is read once, however often the scene places it.
+/// Throws Error for input that cannot be read, and for an override that paints nothing.
 PaintedBody read_body(const SceneSpec& spec, const LoadOptions& options, const Job& job);
 
 } // namespace keiko
