@@ -90,11 +90,4 @@ inline Reflectance border_of(const Material& material) {
                           : Reflectance::dielectric(material.refractive_index);
 }
 
-/// True for each of some faces whose material is glass.
-inline std::vector<bool> glass_faces(std::span<const Material> materials) {
-    std::vector<bool> are_glass;
-    for (const Material& material : materials) are_glass.push_back(material.glass.has_value());
-    return are_glass;
-}
-
 } // namespace keiko

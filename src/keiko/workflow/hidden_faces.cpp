@@ -43,7 +43,7 @@ Tracer seen_without(const Scene& scene, std::span<const std::uint32_t> ids) {
 std::optional<Occluders> occluders_without(const Scene& scene, std::span<const std::uint32_t> ids,
                                            const Job& job) {
     if (!scene.occluders) return {};
-    std::vector<bool> clear = glass_faces(scene.seen_materials());
+    std::vector<bool> clear = shadowless_faces(scene.seen_materials());
     const std::vector<bool> hidden = hidden_in(scene, ids);
     for (std::size_t i = 0; i < clear.size(); ++i) clear[i] = clear[i] || hidden[i];
     return occluders_without(visible_model(scene, scene.model), scene.seen(), clear, job);

@@ -4,6 +4,7 @@
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/tone_mapping.h"
+#include "keiko/light/rig/body_lamps.h"
 #include "keiko/report/content/report.h"
 #include "keiko/report/content/triaged_faults.h"
 #include "keiko/workflow/analysis_file.h"
@@ -153,16 +154,12 @@ std::vector<InputFile> inputs_of(const Scene& scene, const InspectOptions& optio
     return input_files(inputs);
 }
 
-bool is_dark(const LightRig& rig) {
-    return rig.sources.empty() && rig.ambient == Rgb(0);
-}
-
 /// The lamps of an inspection: given, of the scene, or placed.
 void choose_rig(const Scene& scene, const InspectOptions& options, std::span<const NamedView> views,
                 InspectResult& result, const Job& job) {
     PlacementOptions placing = options.placement;
     // Surroundings light a scene, but reflection lines need lamps.
-    const bool places = !options.rig && (!scene.rig || is_dark(*scene.rig));
+    const bool places = !options.rig && (!scene.rig || shines_by_bodies_alone(*scene.rig));
     if (places)
         placing.mirror =
             placement_mirror(scene.model, cameras_of(views), placing, options.symmetry, job);
@@ -170,6 +167,7 @@ void choose_rig(const Scene& scene, const InspectOptions& options, std::span<con
     if (places) {
         lights.placement = place_lamps(scene.tracer, scene.model, cameras_of(views), placing, job);
         lights.rig = lights.placement->rig;
+        add_body_lamps(scene.rig, lights.rig);
     } else {
         lights = choose_lights(scene, options.rig, views, placing, job);
     }

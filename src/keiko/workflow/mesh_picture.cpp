@@ -78,6 +78,19 @@ void add_surroundings(Film& film, const MeshView& view, const MeshLight& light, 
     });
 }
 
+/// Throws FieldError for a scene of which such a picture would leave something out.
+void require_plain(const Scene& scene, const LightRig& rig) {
+    const auto refuse = [](const std::string& what) {
+        throw FieldError("look", "a mesh is shown without " + what + ", which the scene has");
+    };
+    if (rig.medium) refuse("fog");
+    for (const Material& material : scene.seen_materials()) {
+        if (material.emits != Rgb(0)) refuse("bodies that emit light");
+        if (!material.maps.empty()) refuse("maps of materials");
+        if (material.roughness && material.roughness->scratches) refuse("brushed metal");
+    }
+}
+
 } // namespace
 
 std::optional<MeshShading> mesh_shading_from(const std::string& look) {
@@ -94,6 +107,7 @@ std::optional<MeshShading> mesh_shading_from(const std::string& look) {
 
 Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera, const MeshLook& look,
                const Job& job) {
+    require_plain(scene, rig);
     constexpr double meshing = 3, shading = 2;
     JobSteps steps(job, meshing + shading);
     const SurfaceMesh triangles = surface_mesh(scene, look.mesh, steps.next(meshing));

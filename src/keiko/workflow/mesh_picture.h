@@ -24,8 +24,9 @@ struct MeshLook {
 
 /// Picture of a mesh of a scene's body under a rig, where everything else of the picture is exact:
 /// the luminance of its pixels' centres, without shadows, and without what the body mirrors of
-/// itself. Beside the mesh the ground, the sky and the background are seen. Throws as
-/// surface_mesh, and Cancelled.
+/// itself. Beside the mesh the ground, the sky and the background are seen. Lamps before it are
+/// not. Throws as surface_mesh, FieldError for a scene with fog, maps, brushed metal or bodies that
+/// emit light, and Cancelled.
 Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera,
                const MeshLook& look = {}, const Job& job = {});
 

@@ -6,6 +6,7 @@
 #include "keiko/files/scene/material_file.h"
 #include "keiko/film/tone_mapping.h"
 #include "keiko/geometry/model/surface_model.h"
+#include "keiko/light/rig/body_lamps.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/maps/scene_maps.h"
 #include "keiko/workflow/luminous_faces.h"
@@ -68,7 +69,11 @@ void take_analysis(Scene& scene, const Analysis& analysis, const Job& job) {
     scene.analysis = followed_analysis(analysis, scene.model, job);
     if (scene.analysis->hidden().size() >= scene.model.faces.size())
         throw FieldError("analysis", "hides every face of the body");
-    if (analysis.rig) scene.rig = analysis.rig;
+    if (analysis.rig) {
+        LightRig rig = *analysis.rig;
+        add_body_lamps(scene.rig, rig);
+        scene.rig = std::move(rig);
+    }
     if (analysis.views.empty()) return;
     const Camera& first = analysis.views.front().camera;
     scene.set_picture_size(first.width, first.height);
@@ -162,6 +167,7 @@ Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options
     for (Instance& instance : scene.model.instances)
         instance.transform = motion * instance.transform;
     for (Material& material : scene.materials) place_material(motion, material);
+    if (scene.rig) move_body_lamps(motion, *scene.rig);
     Traced all = traced(scene.model, scene.materials, ground_of(scene), options, job);
     scene.tracer = std::move(all.tracer);
     scene.surroundings = std::move(all.surroundings);

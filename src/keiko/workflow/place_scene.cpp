@@ -4,6 +4,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/compare/shape/symmetry.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/light/rig/body_lamps.h"
 #include "keiko/maps/scene_maps.h"
 #include "keiko/placement/place_lamps.h"
 #include "keiko/placement/plane_frame.h"
@@ -130,6 +131,7 @@ ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesyst
     if (rig) {
         LightRig lamps = read_rig(*rig);
         require_no_second_sky(scene, lamps, *rig);
+        add_body_lamps(scene.rig, lamps);
         return {std::move(lamps)};
     }
     if (scene.rig) return {*scene.rig};

@@ -168,7 +168,8 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
     EXPECT_EQ(error("max_depth = 65\n" + model),
               "2:13: max_depth: must be at least 0 and at most 64, is 65");
     EXPECT_EQ(error("view = \"top\"\n"),
-              "1:1: the scene has no body: neither [[model]] nor [[primitive]]");
+              "1:1: the scene has no body: neither a [[model]] nor a [[primitive]] that is "
+              "one");
 }
 
 TEST_F(SceneFile, NumbersBeyondAllSenseAreRefused) {

@@ -129,13 +129,15 @@ TEST(InterpolationTest, StepsOverNoNarrowerShadows) {
     EXPECT_TRUE((Trial{under_bar(16.5, 2), 1e-3}.told.threatened.empty()));
 }
 
-// Its bend is within what pictures resolve, though not within the error allowed.
+// Its bend is within what pictures resolve, though not within the budget of light.
 TEST(InterpolationTest, TellsAQuarterOfTheSkyByItsShareToItsResolution) {
     const PlateSpots plate = before_eaves(60);
-    const Trial trial{plate, 1e-9};
+    constexpr double error = 5e-4;
+    const Trial trial{plate, error};
     EXPECT_TRUE(trial.told.lines.empty());
     EXPECT_TRUE(trial.told.parabolas.empty());
     ASSERT_EQ(trial.told.seen, the_light);
+    EXPECT_TRUE((Trial{plate, error / 20}.tells_none()));
     const LinearlySeen linear{0, PlateSpots::all()};
     LightSamples exact(plate.integrator(), plate.grid());
     double most = 0;
@@ -146,9 +148,9 @@ TEST(InterpolationTest, TellsAQuarterOfTheSkyByItsShareToItsResolution) {
         most = std::max(most, std::abs(seen->share - exact.seen(x, 5, 0).share));
     }
     EXPECT_GT(most, 1e-3);
-    EXPECT_LT(most, 0.03);
+    EXPECT_LT(most, 15 * error);
 }
 
 TEST(InterpolationTest, TellsNoQuarterOfTheSkyWhoseShareBendsMore) {
-    EXPECT_TRUE((Trial{before_eaves(8), 1e-9}.tells_none()));
+    EXPECT_TRUE((Trial{before_eaves(8), 5e-4}.tells_none()));
 }

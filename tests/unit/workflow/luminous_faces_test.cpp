@@ -4,6 +4,7 @@
 #include "keiko/light/rig/primitive_lights.h"
 #include "keiko/light/rig/surface_light.h"
 #include "keiko/maps/surface_maps.h"
+#include "keiko/workflow/hidden_faces.h"
 
 #include "tests/support/paths.h"
 #include "tests/support/temporary_folder.h"
@@ -126,6 +127,9 @@ TEST(LuminousFaces, BodyLightsItsSceneAndCastsNoShadow) {
     EXPECT_FALSE(lamp.occluders->tracer().nearest(through));
     EXPECT_TRUE(wall.occluders->tracer().nearest(through));
     EXPECT_TRUE(lamp.tracer.nearest(through));
+    const std::uint32_t of_box = lamp.model.faces.back().id; // of the concrete, hidden
+    const auto casters = occluders_without(lamp, {&of_box, 1}, {});
+    EXPECT_FALSE(casters->tracer().nearest(through));
 }
 
 } // namespace

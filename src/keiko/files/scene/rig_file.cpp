@@ -5,6 +5,7 @@
 #include "keiko/files/scene/rig_tables.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/files/toml/toml_text.h"
+#include "keiko/light/rig/body_lamps.h"
 
 #include <algorithm>
 #include <map>
@@ -152,11 +153,15 @@ std::map<std::size_t, const LuminousSign*> placed_signs(const LightRig& rig) {
     return placed;
 }
 
-/// Tables of all sources, in their order; a sign stands for its panels.
+/// Tables of all sources but those of bodies, in their order; a sign stands for its panels.
 std::string sources_text(const LightRig& rig, const std::filesystem::path& folder) {
     const auto signs = placed_signs(rig);
     std::string text;
     for (std::size_t i = 0; i < rig.sources.size();) {
+        if (is_body_lamp(rig.sources[i])) {
+            ++i;
+            continue;
+        }
         const auto sign = signs.find(i);
         text += sign == signs.end() ? std::visit(Text{folder}, rig.sources[i])
                                     : table_text(*sign->second);

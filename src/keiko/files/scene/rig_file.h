@@ -24,9 +24,9 @@ LightRig parse_rig_alone(std::string_view text, const std::string& source);
 LightRig rig_from(const TomlTable& table);
 
 /// The text of a rig file: every number reads back as the same double, units are named in
-/// comments, and the same rig always gives the same text. Files of luminaires are named relative to
-/// `folder`, if there is one. Throws Error for a rig that no file can hold, e.g. with numbers that
-/// are not finite.
+/// comments, and the same rig always gives the same text. Lights of bodies are left out. Files of
+/// luminaires are named relative to `folder`, if there is one. Throws Error for a rig that no file
+/// can hold, e.g. with numbers that are not finite.
 std::string rig_text(const LightRig& rig, const std::filesystem::path& folder = {});
 /// Writes a rig file, atomically. Throws Error when it cannot.
 void write_rig(const std::filesystem::path& path, const LightRig& rig);

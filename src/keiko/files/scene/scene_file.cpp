@@ -216,6 +216,8 @@ GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& mate
     ground.z = table.number("z", TomlLimits::place()).value_or(ground.z);
     ground.material =
         table.has("material") ? material_of(table, materials) : named_material("concrete");
+    if (ground.material.emits != Rgb(0))
+        throw table.error("material", "a ground cannot emit light: lay a [[polygon]] on it");
     table.finish();
     return ground;
 }
@@ -259,7 +261,8 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
         scene.animations.push_back(animation_from(table, scene));
     root.finish();
     if (scene.models.empty() && scene.primitives.empty())
-        throw root.error("", "the scene has no body: neither [[model]] nor [[primitive]]");
+        throw root.error(
+            "", "the scene has no body: neither a [[model]] nor a [[primitive]] that is one");
     return scene;
 }
 

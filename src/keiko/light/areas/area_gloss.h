@@ -59,6 +59,7 @@ public:
         return cuts;
     }
     double place_in(const Vec3& way) const override { return width_.place_in(way); }
+    Prism around() const override { return width_.around(); }
 
 private:
     static constexpr double omitted = 0.01; ///< of the error: share of the peak that is nothing

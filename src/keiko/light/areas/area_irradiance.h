@@ -11,8 +11,8 @@ namespace keiko {
 Vec3 longest_side(const PolygonLight& light);
 
 /// Corners of a convex body around a light and the lines across it that visibility is queried for.
-/// It is the rectangle around a panel along its longest side, or the cube around a sphere. Discs
-/// and ellipsoids have the affine images of the square around a circle, and of that cube.
+/// It is the rectangle around a panel along its longest side. Lines across a round outline are all
+/// as long as the longest, and so reach beyond it: bodies around round lights hold their ends.
 std::vector<Vec3> bounds_of(const PolygonLight& light);
 std::vector<Vec3> bounds_of(const SphereLight& light);
 std::vector<Vec3> bounds_of(const DiscLight& light);

@@ -119,11 +119,12 @@ std::optional<AreaHit> area_hit(const FrustumLight& light, const Vec3& origin,
     const auto view = FrustumView::of(light, origin);
     if (!view) return std::nullopt;
     const std::optional<double> entry = entry_of(*view, direction);
+    if (entry && !spread) return hit_of(*entry, 1);
     const SphereLight around = sphere_around(light);
     const Vec3 ahead = direction.normalized();
-    const double depth = depth_beside(*view, ahead), beside = depth / direction.length();
+    const double depth = entry ? *entry * direction.length() : depth_beside(*view, ahead);
     if (!(depth > 0)) return std::nullopt;
-    const double t = entry.value_or(beside);
+    const double t = depth / direction.length();
     const PlaneAxes plane(origin + ahead * depth, ahead);
     const auto foot = footprint_on(plane, origin, direction, spread);
     if (!foot) return std::nullopt;

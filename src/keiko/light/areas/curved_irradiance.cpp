@@ -42,7 +42,8 @@ std::vector<Vec3> bounds_of(const DiscLight& light) {
     const Ellipse rim = outline_ellipse(light, Vec3(0));
     std::vector<Vec3> corners;
     for (const double x : {-1, 1})
-        for (const double y : {-1, 1}) corners.push_back(rim.center + rim.p * x + rim.q * y);
+        for (const double y : {-1, 1})
+            corners.push_back(rim.center + (rim.p * x + rim.q * y) * std::numbers::sqrt2);
     return corners;
 }
 
@@ -54,9 +55,9 @@ std::vector<Vec3> bounds_of(const FrustumLight& light) {
 }
 
 std::vector<Vec3> bounds_of(const EllipsoidLight& light) {
-    std::vector<Vec3> corners = bounds_of(SphereLight{Vec3(0), 1});
-    for (Vec3& at : corners) at = light.center + light.u * at.x + light.v * at.y + light.w * at.z;
-    return corners;
+    // A line's end is no farther from the centre than the half-diameters of the outline together.
+    const double reach = std::sqrt(light.u.length2() + light.v.length2() + light.w.length2());
+    return bounds_of(SphereLight{light.center, reach / std::numbers::sqrt2});
 }
 
 SphereLight sphere_around(const DiscLight& light) {

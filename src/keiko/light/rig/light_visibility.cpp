@@ -161,7 +161,8 @@ bool alike(const LightVisibility& a, const LightVisibility& b) {
 }
 
 double share_resolution(const PreparedSource& source) {
-    return std::holds_alternative<SkyLight>(source.kind()) ? 0.03 : 0;
+    const auto* sky = std::get_if<SkyLight>(&source.kind());
+    return sky && sky->windows.empty() ? 15 : 0;
 }
 
 bool weighs_width(const CPlane& plane, TubeModel model) {

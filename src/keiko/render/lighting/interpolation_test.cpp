@@ -167,7 +167,7 @@ void InterpolationTest::test_seen(const Rectangle& r, const std::vector<Test>& t
 /// Shares alone have a resolution: such a light is seen as a whole, in part or not at all.
 bool InterpolationTest::resolves(std::size_t light, const LightVisibility& a,
                                  const LightVisibility& b) const {
-    const double resolution = integrator_.share_resolution(integrator_.lights()[light]);
+    const double resolution = error_ * integrator_.share_resolution(integrator_.lights()[light]);
     return a.axis != b.axis || a.cap != b.cap || std::abs(a.share - b.share) > resolution;
 }
 

@@ -39,7 +39,7 @@ struct PictureOptions {
     /// Largest number of cells a side into which a pixel with edges is divided; 1: one ray a pixel.
     int edge_samples = 8;
     /// Relative error allowed when direct diffuse light is interpolated between pixels; 0 computes
-    /// it at every pixel.
+    /// it at every pixel. Under an open sky it may be three times as much of unshadowed light.
     double light_error = 2e-3;
     /// cd/m2 that will be shown as white. Darker light may then deviate by as much of a display
     /// level, by sRGB, as `light_error` is at white. Its share is 2.6 times as large at a tenth of

@@ -77,6 +77,37 @@ TEST(AreaCoverage, IsTheMeanOverTheRaysOfAPixel) {
     EXPECT_GT(compare_with_rays(FrustumLight{{100, 50, 900}, {150, 80, 1300}, 100, 500}, 0.02), 2);
 }
 
+/// Of a cone that flares behind the eye, a ray meets what lies ahead.
+TEST(AreaCoverage, ConesBesideTheEyeAreMetAhead) {
+    struct Case {
+        FrustumLight cone;
+        Vec3 eye, way;
+    };
+    for (const Case& c : {Case{{{0, 0, 100}, {0, 0, 0}, 0, 1000}, {600, 0, 50}, {1, 0, -0.3}},
+                          Case{{{0, 0, 300}, {0, 0, 0}, 150, 500}, {400, 0, 200}, {0.3, 0, -1}},
+                          Case{{{0, 0, 200}, {0, 0, 0}, 60, 250}, {150, 0, 150}, {0.15, 0, -1}}}) {
+        const double height = c.cone.from.z;
+        const auto outside = [&](double t) {
+            const Vec3 at = c.eye + c.way * t;
+            const double grown = (c.cone.to_radius - c.cone.radius) * (1 - at.z / height);
+            return at.x - (c.cone.radius + grown);
+        };
+        double low = 0, high = -c.eye.z / c.way.z;
+        ASSERT_GT(outside(low), 0);
+        ASSERT_LT(outside(high), 0);
+        for (int i = 0; i < 100; ++i) {
+            const double middle = (low + high) / 2;
+            (outside(middle) > 0 ? low : high) = middle;
+        }
+        const auto ray = area_hit(c.cone, c.eye, c.way, {});
+        ASSERT_TRUE(ray);
+        EXPECT_NEAR(ray->t, low, 1e-9 * low);
+        const auto pixel_of = area_hit(c.cone, c.eye, c.way, pixel(1e-4, 1e-4));
+        ASSERT_TRUE(pixel_of);
+        EXPECT_NEAR(pixel_of->coverage, 1, 1e-9);
+    }
+}
+
 TEST(AreaCoverage, IsWholeWithinAndNothingBeside) {
     const RayDifferentials spread = pixel(1e-3, 1e-3);
     const PanelOutline outline(angle);

@@ -95,6 +95,31 @@ TEST(CurvedIrradiance, LinesOfAnySourceAddUpToTheClosedForm) {
     EXPECT_GT(around, 3);
 }
 
+/// Occluders are collected for a body that holds every line that is queried.
+TEST(CurvedIrradiance, BoundsHoldTheLines) {
+    test::Random random(31);
+    int lines = 0;
+    const auto check = [&](const auto& light, const Vec3& normal) {
+        const auto width = width_of(light, Vec3(0), normal);
+        if (holds(light, Vec3(0)) || !width) return;
+        Box3 box; // of cubes, which are their bounds' hulls
+        for (const Vec3& corner : bounds_of(light)) box.extend(corner);
+        for (double place = -0.95; place < 1; place += 0.1) {
+            const Segment line = width->line_of(width->sub_axis(place));
+            EXPECT_TRUE(box.padded(1e-9 * box.size()).contains(line.a));
+            EXPECT_TRUE(box.padded(1e-9 * box.size()).contains(line.b));
+            ++lines;
+        }
+    };
+    for (int i = 0; i < 100; ++i) {
+        const Vec3 normal = test::random_direction(random);
+        const EllipsoidLight ball = random_ellipsoid(random);
+        check(ball, normal);
+        check(sphere_around(ball), normal);
+    }
+    EXPECT_GT(lines, 1000);
+}
+
 /// Share of a fine grid of Nusselt's disc, whose rays meet any of some lights, times pi.
 template <class... Lights>
 double by_rays(const Vec3& normal, const Lights&... lights) {
