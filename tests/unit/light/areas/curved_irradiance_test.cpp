@@ -6,6 +6,7 @@
 #include "keiko/light/areas/frustum_width.h"
 #include "keiko/light/tubes/cylinder_irradiance.h"
 #include "keiko/math/axes.h"
+#include "keiko/math/bounds.h"
 
 #include "tests/support/curved_row.h"
 #include "tests/support/random.h"
