@@ -78,7 +78,7 @@ void add_surroundings(Film& film, const MeshView& view, const MeshLight& light, 
     });
 }
 
-/// Throws FieldError for a scene of which such a picture would leave something out.
+/// Throws FieldError for a scene that such a picture would show without a part of it.
 void require_plain(const Scene& scene, const LightRig& rig) {
     const auto refuse = [](const std::string& what) {
         throw FieldError("look", "a mesh is shown without " + what + ", which the scene has");

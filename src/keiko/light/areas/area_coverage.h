@@ -37,7 +37,7 @@ std::optional<AreaHit> area_hit(const EllipsoidLight& light, const Vec3& origin,
                                 const Vec3& direction,
                                 const std::optional<RayDifferentials>& spread);
 /// Lateral surface on the rays of a pixel, by its outline as seen from the origin of the central
-/// ray. Rims are polygons with an error of at most 1/500 of the pixel.
+/// ray. Rims are polygons with an error of at most 1/500 of the pixel, or of 256 chords.
 std::optional<AreaHit> area_hit(const FrustumLight& light, const Vec3& origin,
                                 const Vec3& direction,
                                 const std::optional<RayDifferentials>& spread);

@@ -77,7 +77,7 @@ TEST(AreaCoverage, IsTheMeanOverTheRaysOfAPixel) {
     EXPECT_GT(compare_with_rays(FrustumLight{{100, 50, 900}, {150, 80, 1300}, 100, 500}, 0.02), 2);
 }
 
-/// Of a cone that flares behind the eye, a ray meets what lies ahead.
+/// A ray meets the part ahead of a cone that flares behind the eye.
 TEST(AreaCoverage, ConesBesideTheEyeAreMetAhead) {
     struct Case {
         FrustumLight cone;
