@@ -34,14 +34,15 @@ struct LitScene {
     const Scene& scene;
     std::vector<std::string> columns; ///< of the results
     PreparedRig rig;
-    GlassLoss glass;
+    GlassLoss glass, straight; ///< where caustics land, and without them
     std::optional<Caustics> caustics;
 
     LitScene(const Scene& lit, const LightRig& by, const Job& job)
         : scene(lit),
           columns(columns_of(by)),
           rig(by),
-          glass(lit.seen(), lit.seen_materials(), lit.caustics.has_value()) {
+          glass(lit.seen(), lit.seen_materials(), lit.caustics.has_value()),
+          straight(lit.seen(), lit.seen_materials()) {
         if (lit.caustics)
             caustics.emplace(lit.seen(), lit.seen_materials(), rig, *lit.caustics, job);
     }
@@ -91,9 +92,11 @@ Place place_of(const Tracer& surfaces, const Vec3& point, const Vec3& normal) {
 /// Takes from the light of each lamp what glass takes.
 void dim_by_glass(const LitScene& in, const Place& place, std::span<const LightId> lights,
                   std::vector<Rgb>& lux) {
+    // Caustics land on surfaces alone: a point in the air has the light that passes straight on.
+    const GlassLoss& glass = place.hit ? in.glass : in.straight;
     for (std::size_t i = 0; i < lights.size(); ++i)
-        lux[i] *= in.glass.left(in.rig.sources[lights[i].source], lights[i].lamp, place.position,
-                                place.root());
+        lux[i] *= glass.left(in.rig.sources[lights[i].source], lights[i].lamp, place.position,
+                             place.root());
 }
 
 /// Light of each source by way of mirrors and glass; empty without.

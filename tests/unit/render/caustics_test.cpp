@@ -196,6 +196,40 @@ TEST(Caustics, OfABallLensAreThoseOfItsRays) {
     EXPECT_GT(lit, 2);
 }
 
+/// A roof far above the ball keeps the sun from it.
+TEST(Caustics, UnderARoofThereAreNone) {
+    test::ShapeBuilder builder;
+    builder.face(test::sphere({0, 0, ball_height}, ball_radius));
+    builder.face({test::rectangle(-500, 500, -500, 500, 2500)});
+    builder.face({test::rectangle(-400, 400, -400, 400, 0)});
+    Stage stage(builder.model(), clear_glass(index));
+    stage.rig.sources = {sun_above()};
+    const PreparedRig rig(stage.rig);
+    stage.materials[1] = stage.materials.back();
+    const Caustics closed(stage.tracer, stage.materials, rig, spec_of(2));
+    EXPECT_EQ(closed.flux_on(stage.floor()).g, 0);
+    EXPECT_EQ(closed.at(stage.piece({0.5, 0, 0}))[0].g, 0);
+}
+
+/// Without windows the sun's light is what arrives at the scene: fog dims it only behind the ball.
+TEST(Caustics, FogDimsSunlightFromTheFirstSurfaceOn) {
+    Stage stage = ball_lens(sun_above());
+    const PreparedRig clear(stage.rig);
+    const Vec3 p(3.1, 0, 0);
+    const double before =
+        Caustics(stage.tracer, stage.materials, clear, spec_of(2)).at(stage.piece(p))[0].g;
+    Medium fog;
+    constexpr double extinction = 1;
+    fog.extinction = Rgb(extinction);
+    stage.rig.medium = fog;
+    const PreparedRig foggy(stage.rig);
+    const double after =
+        Caustics(stage.tracer, stage.materials, foggy, spec_of(2)).at(stage.piece(p))[0].g;
+    const double most = std::exp(-extinction * metres(ball_height - ball_radius));
+    EXPECT_LT(after, before * most * 1.0001);
+    EXPECT_GT(after, before * std::exp(-extinction * metres(ball_height)));
+}
+
 /// All that leaves the ball downwards arrives, without that of cells over the ball's outline, and
 /// footprints share it out.
 TEST(Caustics, LightIsNeitherLostNorAdded) {

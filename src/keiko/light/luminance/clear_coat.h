@@ -5,6 +5,7 @@
 #include "keiko/light/luminance/gloss_kernel.h"
 #include "keiko/math/rgb.h"
 
+#include <algorithm>
 #include <array>
 #include <functional>
 #include <memory>
@@ -65,8 +66,9 @@ public:
     }
     /// True if it reflects nothing.
     bool passes_all() const { return n_ == 1 && !rough_; }
-    /// Share of the light that enters the coat.
-    double entering(double cosine) const { return 1 - mirrored(cosine); }
+    /// Share of the light that enters the coat; none where a lobe, as Duer's Ward lobe at grazing
+    /// angles, returns more than arrives.
+    double entering(double cosine) const { return std::max(0.0, 1 - mirrored(cosine)); }
 
     /// Reflectance for Lambert's rho E / pi if the illuminance already counts only the share
     /// `entering`, viewed under `cosine_view`.

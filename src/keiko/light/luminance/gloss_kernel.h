@@ -37,7 +37,7 @@ public:
     /// The parameter across the scratches; width() if it is not stretched.
     double across() const { return across_; }
     /// True if it depends on the azimuth of the half vector.
-    bool is_stretched() const { return across_ != width_; }
+    bool is_stretched() const { return std::abs(across_ - width_) > 1e-9 * width_; }
     /// True for a distribution of half vectors; Phong's is of directions about the mirror
     /// direction.
     bool of_half_vectors() const { return kind_ != DistributionKind::phong; }

@@ -57,7 +57,7 @@ public:
 
     Node node(const Vec2& at) const {
         Node node{at, chart_.flux(at), {}};
-        if (max_channel(node.flux) > 0) node.landings = paths_.landings(chart_.ray(at));
+        if (max_channel(node.flux) > 0) node.landings = paths_.landings(chart_, at);
         std::erase_if(node.landings,
                       [&](const LightLanding& landing) { return !chart_.reaches(landing.first); });
         return node;

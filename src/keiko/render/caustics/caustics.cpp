@@ -50,14 +50,15 @@ Caustics::Caustics(const Tracer& tracer, std::span<const Material> materials,
     Box3 around;
     for (const Box3& box : casters.boxes()) around.extend(box);
     size_ = around.size();
+    const Box3 scene = tracer.bounds();
     for (std::size_t source = 0; source < sources_; ++source)
-        add(source, rig.sources[source], casters.boxes(), spec, job);
+        add(source, rig.sources[source], casters.boxes(), scene, spec, job);
     tree_ = BoxTree(boxes_of(beams_));
 }
 
 void Caustics::add(std::size_t source, const PreparedSource& light, std::span<const Box3> boxes,
-                   const CausticSpec& spec, const Job& job) {
-    for (const LightChart& chart : charts_of(light, boxes)) {
+                   const Box3& scene, const CausticSpec& spec, const Job& job) {
+    for (const LightChart& chart : charts_of(light, boxes, scene)) {
         const std::vector<Beam> beams = beams_of(chart, paths_, spec, job);
         beams_.insert(beams_.end(), beams.begin(), beams.end());
         chart_of_beam_.resize(beams_.size(), static_cast<std::uint32_t>(charts_.size()));
@@ -105,7 +106,7 @@ std::optional<Caustics::Root> Caustics::root_near(std::uint32_t number, const Ve
     Vec2 at = (beam.at[0] + beam.at[1] + beam.at[2]) / 3;
     const Vec2 begin = at;
     for (int step = 0; step < most_steps; ++step) {
-        const std::optional<LightLanding> landing = paths_.landing(chart.ray(at), beam.way);
+        const std::optional<LightLanding> landing = paths_.landing(chart, at, beam.way);
         if (!landing) return {};
         const Vec3 off = place - landing->position;
         const Vec3 across = landing->dx.cross(landing->dy);

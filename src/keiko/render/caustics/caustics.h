@@ -43,7 +43,7 @@ private:
     struct Root;
     const LightChart& chart_of(std::uint32_t beam) const { return charts_[chart_of_beam_[beam]]; }
     void add(std::size_t source, const PreparedSource& light, std::span<const Box3> boxes,
-             const CausticSpec& spec, const Job& job);
+             const Box3& scene, const CausticSpec& spec, const Job& job);
     std::vector<std::uint32_t> beams_at(const SurfaceFootprint& place) const;
     std::optional<Root> root_near(std::uint32_t beam, const Vec3& place) const;
 

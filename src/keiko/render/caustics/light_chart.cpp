@@ -68,6 +68,11 @@ bool LightChart::reaches(const Vec3& place) const {
     return !sun || sun->way_to(place).has_value();
 }
 
+Vec3 LightChart::start_in_medium(const Vec3& place) const {
+    const auto* sun = std::get_if<Sun>(&source_->kind());
+    return sun ? place + sun->towards() * sun->way_to(place).value_or(0) : origin_;
+}
+
 Vec2 LightChart::coordinates(const Vec3& place) const {
     const Vec3 way = place - origin_;
     const Vec2 aside(way.dot(right_), way.dot(up_));
@@ -93,8 +98,8 @@ void LightChart::cover(std::span<const Box3> boxes) {
 /// Makes the charts of a source.
 class ChartsOf {
 public:
-    ChartsOf(const PreparedSource& source, std::span<const Box3> boxes)
-        : source_(source), boxes_(boxes), all_(around(boxes)) {}
+    ChartsOf(const PreparedSource& source, std::span<const Box3> boxes, const Box3& scene)
+        : source_(source), boxes_(boxes), all_(around(boxes)), scene_(scene) {}
 
     template <PointLight Light>
     std::vector<LightChart> operator()(const Light& light) const {
@@ -115,8 +120,8 @@ public:
     }
     std::vector<LightChart> operator()(const Sun& sun) const {
         const Vec3 forward = sun.direction.normalized();
-        LightChart across(source_, all_.center() - forward * (2 * all_.size()), forward, true);
-        return covered({across});
+        const Vec3 before = scene_.center() - forward * scene_.size();
+        return covered({LightChart(source_, before, forward, true)});
     }
     template <class Light>
     std::vector<LightChart> operator()(const Light&) const {
@@ -135,7 +140,7 @@ private:
 
     const PreparedSource& source_;
     std::span<const Box3> boxes_;
-    Box3 all_;
+    Box3 all_, scene_;
 };
 
 bool casts_caustics(const PreparedSource& source) {
@@ -144,9 +149,10 @@ bool casts_caustics(const PreparedSource& source) {
         source.kind());
 }
 
-std::vector<LightChart> charts_of(const PreparedSource& source, std::span<const Box3> boxes) {
+std::vector<LightChart> charts_of(const PreparedSource& source, std::span<const Box3> boxes,
+                                  const Box3& scene) {
     if (boxes.empty()) return {};
-    return std::visit(ChartsOf(source, boxes), source.kind());
+    return std::visit(ChartsOf(source, boxes, scene), source.kind());
 }
 
 } // namespace keiko

@@ -22,6 +22,10 @@ public:
     const Box2& range() const { return range_; }
     /// True if the light reaches a place, mm, as far as windows decide it.
     bool reaches(const Vec3& place) const;
+    /// Place, mm, from which on light to a first surface at `place` passes the medium: the light,
+    /// or where sunlight comes in by a window; `place` itself of a sun without windows, whose light
+    /// at the scene is what arrives.
+    Vec3 start_in_medium(const Vec3& place) const;
 
 private:
     friend class ChartsOf;
@@ -43,7 +47,9 @@ private:
 bool casts_caustics(const PreparedSource& source);
 
 /// Charts of all rays of a source from which surfaces in some boxes, mm, can be lit. Empty for
-/// sources that are neither points nor parallel. A reference to the source is kept.
-std::vector<LightChart> charts_of(const PreparedSource& source, std::span<const Box3> boxes);
+/// sources that are neither points nor parallel. Parallel rays begin outside of `scene`, a box
+/// around everything. A reference to the source is kept.
+std::vector<LightChart> charts_of(const PreparedSource& source, std::span<const Box3> boxes,
+                                  const Box3& scene);
 
 } // namespace keiko

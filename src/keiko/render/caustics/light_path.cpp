@@ -16,8 +16,9 @@ struct LightPaths::Leg {
     Ray ray;
     Rgb weight{1};
     LightWay way{};
-    const Material* inside = nullptr; ///< solid glass that it is in
-    std::optional<Vec3> first{};      ///< place of the first surface
+    const Material* inside = nullptr;  ///< solid glass that it is in
+    std::optional<Vec3> first{};       ///< place of the first surface
+    const LightChart* chart = nullptr; ///< of the first leg
 };
 
 /// A way on from a surface.
@@ -28,15 +29,16 @@ struct LightPaths::Branch {
     const Material* inside = nullptr; ///< where it goes on in
 };
 
-std::vector<LightLanding> LightPaths::landings(const Ray& ray) const {
+std::vector<LightLanding> LightPaths::landings(const LightChart& chart, const Vec2& at) const {
     std::vector<LightLanding> found;
-    follow({.ray = ray}, nullptr, found);
+    follow({.ray = chart.ray(at), .chart = &chart}, nullptr, found);
     return found;
 }
 
-std::optional<LightLanding> LightPaths::landing(const Ray& ray, const LightWay& way) const {
+std::optional<LightLanding> LightPaths::landing(const LightChart& chart, const Vec2& at,
+                                                const LightWay& way) const {
     std::vector<LightLanding> found;
-    follow({.ray = ray}, &way, found);
+    follow({.ray = chart.ray(at), .chart = &chart}, &way, found);
     return found.empty() ? std::nullopt : std::optional(found.front());
 }
 
@@ -44,7 +46,9 @@ std::optional<LightLanding> LightPaths::landing(const Ray& ray, const LightWay& 
 Rgb LightPaths::left_on(const Leg& leg, const Hit& hit) const {
     const double length = (hit.position - leg.ray.origin).length();
     if (leg.inside) return transmittance(leg.inside->glass->absorption * length);
-    return medium_ ? transmittance(*medium_, {leg.ray.origin, hit.position}) : Rgb(1);
+    if (!medium_) return Rgb(1);
+    const Vec3 from = leg.chart ? leg.chart->start_in_medium(hit.position) : leg.ray.origin;
+    return transmittance(*medium_, {from, hit.position});
 }
 
 void LightPaths::follow(const Leg& leg, const LightWay* only,
@@ -53,6 +57,7 @@ void LightPaths::follow(const Leg& leg, const LightWay* only,
     if (!hit || !leg.ray.differentials) return;
     Leg here = leg;
     here.weight *= left_on(leg, *hit);
+    here.chart = nullptr;
     if (!here.first) here.first = hit->position;
     const bool ends = only && leg.way.length() == only->length();
     if (!leg.way.is_direct() && !materials_[hit->face].glass && (!only || ends)) {
@@ -102,11 +107,16 @@ std::vector<LightPaths::Branch> LightPaths::branches(const Leg& leg, const Hit& 
 }
 
 std::vector<bool> casting_faces(std::span<const Material> materials, double min_weight) {
+    const auto mirrored = [](const Material& material) {
+        if (!material.glass) return border_of(material)(1);
+        const auto& [absorption, pane] = *material.glass;
+        return pane_shares(1, material.refractive_index, absorption, pane).mirrored;
+    };
     std::vector<bool> casting;
     for (const Material& material : materials) {
         const bool solid = material.glass && material.glass->pane == 0;
         casting.push_back(!material.roughness &&
-                          (solid || max_channel(border_of(material)(1)) >= min_weight));
+                          (solid || max_channel(mirrored(material)) >= min_weight));
     }
     return casting;
 }

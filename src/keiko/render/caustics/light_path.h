@@ -2,6 +2,7 @@
 
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/light/fog/medium.h"
+#include "keiko/render/caustics/light_chart.h"
 #include "keiko/scene/caustic_spec.h"
 #include "keiko/scene/material.h"
 
@@ -62,12 +63,13 @@ public:
                const std::optional<Medium>& medium, const CausticSpec& spec)
         : tracer_(tracer), materials_(materials), medium_(medium), spec_(spec) {}
 
-    /// All landings of a ray with differentials, where light arrives by more than panes, each
+    /// All landings of a ray of a chart, where light arrives by more than panes, each
     /// branch after what it is mirrored from.
-    std::vector<LightLanding> landings(const Ray& ray) const;
+    std::vector<LightLanding> landings(const LightChart& chart, const Vec2& at) const;
     /// The landing of a ray by a way, however little light it brings; nullopt if the ray does not
     /// go it.
-    std::optional<LightLanding> landing(const Ray& ray, const LightWay& way) const;
+    std::optional<LightLanding> landing(const LightChart& chart, const Vec2& at,
+                                        const LightWay& way) const;
 
 private:
     struct Leg;

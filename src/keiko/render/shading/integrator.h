@@ -146,7 +146,7 @@ private:
     };
 
     /// True if glass dims the light of lamps.
-    bool dims_light() const { return scene_.occluders && glass_.any(); }
+    bool dims_light() const { return (scene_.occluders || scene_.caustics) && glass_.any(); }
     /// Share of each of some lights at a point that glass leaves; empty if it does not dim.
     std::vector<Rgb> left_by_glass(const ShadingPoint& point,
                                    std::span<const LightId> lights) const;

@@ -132,7 +132,7 @@ Rgb Paint::gloss_albedo(double cosine, double doubled) const {
 double Paint::passed_by_brushed(double cosine, double doubled) const {
     if (!stretched_albedo_) return 1;
     const double mean = base_.entering(cosine);
-    return mean > 0 ? (1 - (*stretched_albedo_)(cosine, doubled).g) / mean : 1;
+    return mean > 0 ? std::max(0.0, 1 - (*stretched_albedo_)(cosine, doubled).g) / mean : 1;
 }
 
 } // namespace keiko
