@@ -120,7 +120,7 @@ void add_mesh(CLI::App& app, Session& session) {
     command
         .add_option("--mesher", arguments->mesher,
                     "opencascade, as viewports have it, its deviation measured; or spans, a grid "
-                    "in each knot span, its deviation proved")
+                    "in each knot span, its deviation and that of trims proved each")
         ->check(CLI::IsMember({"opencascade", "spans"}))
         ->option_text("NAME")
         ->capture_default_str();

@@ -1,6 +1,7 @@
 #include "keiko/raster/span_mesh.h"
 
 #include "keiko/base/parallel.h"
+#include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/geometry/bezier/parameter_metric.h"
 #include "keiko/geometry/bezier/patch_height.h"
 #include "keiko/geometry/trim/trim_region.h"
@@ -8,7 +9,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 namespace keiko {
@@ -19,8 +22,8 @@ constexpr int parts = 4;
 /// Share of a patch by which its trims are queried inside its border: loops often run along it,
 /// and there a place is material or not by rounding.
 constexpr double inset = 1e-6;
-/// Halvings of a cell that trim curves cross in no simple way.
-constexpr int most_halvings = 5;
+/// Halvings of a cell until only rounding is left of it.
+constexpr int most_halvings = 40;
 
 Box2 cell_box(const SpanCells& cells, int i, int j) {
     return {Vec2(double(i) / cells.u, double(j) / cells.v),
@@ -47,6 +50,8 @@ public:
         return {along_u_.at(range(patch.map_u)), along_v_.at(range(patch.map_v))};
     }
     double deviation() const { return deviation_; }
+    /// Of a patch, counted from the first of the face.
+    const SecondDerivativeBounds& bounds(std::size_t patch) const { return bounds_[patch]; }
 
 private:
     static std::pair<double, double> range(const ParameterMap& map) {
@@ -61,10 +66,12 @@ private:
 /// Divides one patch of a trimmed face.
 class PatchMesher {
 public:
-    PatchMesher(const SurfaceModel& model, const TrimRegion& trims, std::uint32_t patch,
-                double deviation, FaceMesh& mesh)
+    PatchMesher(const SurfaceModel& model, const TrimRegion& trims,
+                const SecondDerivativeBounds& bounds, std::uint32_t patch, double deviation,
+                FaceMesh& mesh)
         : model_(model),
           trims_(trims),
+          bounds_(bounds),
           patch_(patch),
           maps_(model.patches[patch]),
           deviation_(deviation),
@@ -89,18 +96,76 @@ private:
         return {uv.lower, Vec2(uv.upper.x, uv.lower.y), uv.upper, Vec2(uv.lower.x, uv.upper.y)};
     }
 
+    /// Cuts a cell along a chord that all its trims lie near, or leaves those near one of its sides
+    /// away; halves others while they are larger than the deviation.
     void add_cut_cell(const Box2& uv, int halvings) {
-        const auto [polygon, cuts] = material(uv);
-        if (cuts.size() == 2 && (halvings == 0 || is_near_curve((cuts[0] + cuts[1]) / 2)))
-            return add_polygon(polygon);
-        if (halvings == 0) {
-            if (trims_.contains(face(uv.center()))) add_polygon(corners(uv));
-            return;
-        }
+        const ParameterMetric longest = longest_steps(uv);
+        const Box2 around{asked(uv.lower), asked(uv.upper)};
+        const CutCell cell = material(uv);
+        if (settle(off_chord(cell.cuts, around, longest))) return add_polygon(cell.polygon);
+        if (settle(off_sides(around, longest))) return add_if_material(uv);
+        const double size = longest.across(around.extent());
+        if (halvings > 0 && size > deviation_) return add_quarters(uv, halvings - 1);
+        mesh_.deviation = std::max(mesh_.deviation, size);
+        if (cell.polygon.size() > 2) return add_polygon(cell.polygon);
+        add_if_material(uv);
+    }
+
+    /// True if trims may be left by so much, which the mesh then tells.
+    bool settle(double off) {
+        if (!(off <= deviation_)) return false;
+        mesh_.deviation = std::max(mesh_.deviation, off);
+        return true;
+    }
+
+    void add_if_material(const Box2& uv) {
+        if (trims_.contains(face(uv.center()))) add_polygon(corners(uv));
+    }
+
+    void add_quarters(const Box2& uv, int halvings) {
         const Vec2 middle = uv.center();
-        add_cell({uv.lower, middle}, halvings - 1), add_cell({middle, uv.upper}, halvings - 1);
-        add_cell({Vec2(middle.x, uv.lower.y), Vec2(uv.upper.x, middle.y)}, halvings - 1);
-        add_cell({Vec2(uv.lower.x, middle.y), Vec2(middle.x, uv.upper.y)}, halvings - 1);
+        add_cell({uv.lower, middle}, halvings), add_cell({middle, uv.upper}, halvings);
+        add_cell({Vec2(middle.x, uv.lower.y), Vec2(uv.upper.x, middle.y)}, halvings);
+        add_cell({Vec2(uv.lower.x, middle.y), Vec2(middle.x, uv.upper.y)}, halvings);
+    }
+
+    /// Bound of the distance of the cell's trims from the chord between its first cut and the one
+    /// farthest from it; infinite without two.
+    double off_chord(const std::vector<Vec2>& cuts, const Box2& around,
+                     const ParameterMetric& longest) const {
+        if (cuts.size() < 2) return std::numeric_limits<double>::infinity();
+        const Vec2 from = asked(cuts.front());
+        Vec2 to = from;
+        for (const Vec2& cut : cuts)
+            if (longest.length(asked(cut) - from) > longest.length(to - from)) to = asked(cut);
+        return trims_.most_off(around, from, to, longest);
+    }
+
+    /// Bound of their distance from the side that they are nearest to.
+    double off_sides(const Box2& around, const ParameterMetric& longest) const {
+        const std::vector<Vec2> ends = corners(around);
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t i = 0; i < ends.size(); ++i)
+            least = std::min(
+                least, trims_.most_off(around, ends[i], ends[(i + 1) % ends.size()], longest));
+        return least;
+    }
+
+    /// Metric of the face's parameters by which no step within the cell is shorter than on the
+    /// surface.
+    ParameterMetric longest_steps(const Box2& uv) const {
+        const SurfaceDerivatives s = evaluate(model_.patch(patch_), uv.center(), 1);
+        const Vec2 half = uv.extent() / 2;
+        const double u = s.du().length() + bounds_.uu * half.x + bounds_.uv * half.y;
+        const double v = s.dv().length() + bounds_.uv * half.x + bounds_.vv * half.y;
+        const auto slowest = [](const ParameterMap& map, double from, double to) {
+            const Interval rates = parameter_ranges(map, {from, to}).first;
+            return std::min(std::abs(rates.low), std::abs(rates.high));
+        };
+        // Of steps at right angles; of others the sum of both is at most this much longer.
+        return ParameterMetric(std::numbers::sqrt2 *
+                               Vec2(u / slowest(maps_.map_u, uv.lower.x, uv.upper.x),
+                                    v / slowest(maps_.map_v, uv.lower.y, uv.upper.y)));
     }
 
     /// The corners of a cell that are material, with the places where trim curves cross its sides.
@@ -136,13 +201,6 @@ private:
         return cuts;
     }
 
-    bool is_near_curve(const Vec2& uv) const {
-        const SurfaceDerivatives s = evaluate(model_.patch(patch_), uv, 1);
-        const ParameterMetric metric(s.du() / maps_.map_u.derivative(uv.x),
-                                     s.dv() / maps_.map_v.derivative(uv.y));
-        return trims_.nearest_curve(face(uv), metric, deviation_).has_value();
-    }
-
     /// Adds a convex polygon of patch parameters.
     void add_polygon(const std::vector<Vec2>& polygon) {
         for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
@@ -160,6 +218,7 @@ private:
 
     const SurfaceModel& model_;
     const TrimRegion& trims_;
+    const SecondDerivativeBounds& bounds_;
     std::uint32_t patch_;
     const Patch& maps_;
     double deviation_;
@@ -174,7 +233,7 @@ FaceMesh mesh_of(const SurfaceModel& model, const Face& face, double deviation) 
     mesh.deviation = cells.deviation();
     for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
         const SpanCells divided = cells.of(model.patches[p]);
-        PatchMesher mesher(model, trims, p, deviation, mesh);
+        PatchMesher mesher(model, trims, cells.bounds(p - face.first_patch), p, deviation, mesh);
         for (int i = 0; i < divided.u; ++i)
             for (int j = 0; j < divided.v; ++j) mesher.add_cell(cell_box(divided, i, j));
     }

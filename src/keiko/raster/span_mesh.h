@@ -31,8 +31,10 @@ struct SecondDerivativeBounds {
 /// Triangles of the material of each face: every patch, a knot span, in a grid of cells of two
 /// triangles that no place of the surface leaves by more than `deviation` mm, which is proved.
 /// Patches side by side have as many cells along their common side. Cells that trim curves cross
-/// are cut along chords of these, which leave them by about `deviation`. The weights of the model
-/// must be positive. Throws Cancelled.
+/// are cut along chords. On the surface, no trim curve within the cell is farther from its chord
+/// than `deviation`, which is proved too; trims within a millionth of a patch of its border count
+/// as on it. Islands and holes smaller than `deviation` may be lost. FaceMesh::deviation is the
+/// larger of both bounds. The weights of the model must be positive. Throws Cancelled.
 ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job = {});
 
 } // namespace keiko

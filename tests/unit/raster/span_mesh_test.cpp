@@ -84,6 +84,55 @@ TEST(SpanMesh, CutsCellsAlongTrimCurves) {
         EXPECT_GE((fine.uv[b] - fine.uv[a]).cross(fine.uv[c] - fine.uv[a]), 0);
 }
 
+/// A square plate with a round hole.
+FaceMesh holed_plate(double side, const Vec2& centre, double radius, double deviation) {
+    test::ShapeBuilder shape;
+    shape.face({test::rectangle(0, side, 0, side, 0)},
+               {test::polygon({Vec2(0, 0), Vec2(side, 0), Vec2(side, side), Vec2(0, side)}),
+                test::circle(centre, radius)});
+    return span_mesh(shape.model(), deviation).front();
+}
+
+TEST(SpanMesh, KeepsSmallHolesOfLargePlates) {
+    constexpr double side = 1000, radius = 5, around = 2 * std::numbers::pi * radius;
+    const double exact = side * side - std::numbers::pi * radius * radius;
+    for (const Vec2& centre : {Vec2(500, 500), Vec2(317.3, 621.7), Vec2(250, 8)})
+        for (const double deviation : {0.1, 0.004}) {
+            const FaceMesh mesh = holed_plate(side, centre, radius, deviation);
+            EXPECT_NEAR(area(mesh), exact, around * deviation);
+            EXPECT_LE(mesh.deviation, deviation);
+            EXPECT_GT(mesh.deviation, deviation / 100); // it tells of the trims: the plate is flat
+            EXPECT_LT(mesh.triangles.size(), 2000U);
+            for (const auto& [a, b, c] : mesh.triangles) {
+                const Vec2 middle = (mesh.uv[a] + mesh.uv[b] + mesh.uv[c]) / 3;
+                EXPECT_GT((middle - centre).length(), radius - deviation);
+            }
+        }
+}
+
+TEST(SpanMesh, KeepsTheCornersOfSmallCutOuts) {
+    // A slot of 4 x 2 whose sides partly run along those of cells.
+    test::ShapeBuilder shape;
+    const Vec2 low(500, 499), high(504, 501);
+    shape.face({test::rectangle(0, 1000, 0, 1000, 0)},
+               {test::polygon({Vec2(0, 0), Vec2(1000, 0), Vec2(1000, 1000), Vec2(0, 1000)}),
+                test::polygon({low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)})});
+    const FaceMesh mesh = span_mesh(shape.model(), 0.05).front();
+    EXPECT_NEAR(area(mesh), 1e6 - 8, 12 * 0.05);
+    EXPECT_LT(mesh.triangles.size(), 1000U);
+}
+
+TEST(SpanMesh, FillsSlitsInFewCells) {
+    test::ShapeBuilder shape; // slits without width: across cells, and askew
+    shape.face({test::rectangle(0, 1000, 0, 1000, 0)},
+               {test::polygon({Vec2(0, 0), Vec2(1000, 0), Vec2(1000, 1000), Vec2(0, 1000)}),
+                test::polygon({Vec2(100, 300.7), Vec2(900, 300.7)}),
+                test::polygon({Vec2(100, 400), Vec2(900, 900)})});
+    const FaceMesh mesh = span_mesh(shape.model(), 0.001).front();
+    EXPECT_NEAR(area(mesh), 1e6, 1e-6);
+    EXPECT_LT(mesh.triangles.size(), 2000U);
+}
+
 TEST(SpanMesh, NeighboursHaveAsManyCellsAlongTheirCommonSide) {
     const SurfaceModel model = test::torus_model(100, 20);
     const FaceMesh mesh = span_mesh(model, 0.05).front();

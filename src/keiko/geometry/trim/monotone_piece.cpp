@@ -208,6 +208,25 @@ bool MonotonePiece::touches(const Box2& box) const {
     return inside.lower.x <= box.upper.x && box.lower.x <= inside.upper.x;
 }
 
+template <unsigned axis>
+void MonotonePiece::narrow(double lower, double upper, double& from, double& to) const {
+    const bool rises = first_[axis] < last_[axis];
+    const auto is_between = [&](double at) {
+        return box_.lower[axis] < at && at < box_.upper[axis];
+    };
+    const double enters = rises ? lower : upper, leaves = rises ? upper : lower;
+    if (is_between(enters)) from = std::max(from, bracket<axis>(enters, anywhere).a);
+    if (is_between(leaves)) to = std::min(to, bracket<axis>(leaves, anywhere).b);
+}
+
+std::optional<std::pair<double, double>> MonotonePiece::stretch_in(const Box2& box) const {
+    if (!box_.overlaps(box)) return std::nullopt;
+    double from = 0, to = 1;
+    narrow<0>(box.lower.x, box.upper.x, from, to);
+    narrow<1>(box.lower.y, box.upper.y, from, to);
+    return from <= to ? std::optional(std::pair(from, to)) : std::nullopt;
+}
+
 std::vector<MonotonePiece> monotone_pieces(const BezierCurveView& curve, std::uint32_t index) {
     std::vector<double> cuts = extrema(curve, 0);
     for (const double t : extrema(curve, 1)) cuts.push_back(t);

@@ -4,6 +4,8 @@
 #include "keiko/geometry/bezier/bezier.h"
 
 #include <cstdint>
+#include <optional>
+#include <utility>
 #include <vector>
 
 namespace KEIKO_API keiko {
@@ -39,6 +41,9 @@ public:
     std::vector<double> crossings(unsigned axis, double at) const;
     /// True if any point of the piece lies in the box.
     bool touches(const Box2& box) const;
+    /// Parameters t, from the lower to the upper, between which the piece lies in the box, to
+    /// rounding; nullopt if it does not touch it.
+    std::optional<std::pair<double, double>> stretch_in(const Box2& box) const;
     /// False for boxes beside the strip along its chord that holds the control points: it touches
     /// none of them. Much faster.
     bool may_touch(const Box2& box) const;
@@ -61,6 +66,10 @@ private:
     /// there whose other coordinate is `beside`.
     template <unsigned axis>
     Bracket bracket(double at, double beside) const;
+    /// Narrows [from, to] to where coordinate `axis` lies between `lower` and `upper`, which the
+    /// ends do not both lie below or above.
+    template <unsigned axis>
+    void narrow(double lower, double upper, double& from, double& to) const;
 
     std::vector<Vec3> points_;
     std::vector<double> binomials_; ///< one a point

@@ -45,9 +45,14 @@ struct Stretch {
     }
 };
 
+/// Distance of a place from the segment that a stretch has as its chord.
+double chord_distance(const Vec2& p, const Stretch& s, const ParameterMetric& metric) {
+    return metric.length(s.at_a + (s.at_b - s.at_a) * s.foot(p, metric) - p);
+}
+
 /// Largest distance of any place of a stretch from its chord: at most the width of its box, and, by
 /// Taylor's theorem, an eighth of the bend.
-double most_off(const Stretch& s, double bend, const ParameterMetric& metric) {
+double most_off_chord(const Stretch& s, double bend, const ParameterMetric& metric) {
     Box2 box;
     box.extend(s.at_a);
     box.extend(s.at_b);
@@ -75,7 +80,7 @@ bool approach(const MonotonePiece& piece, const Vec2& p, const ParameterMetric& 
     open[0] = {0, 1, piece.first(), piece.last()};
     for (std::size_t count = 1; count > 0;) {
         const Stretch s = open[--count];
-        const double share = s.foot(p, metric), off = most_off(s, bend, metric);
+        const double share = s.foot(p, metric), off = most_off_chord(s, bend, metric);
         const Vec2 foot = s.at_a + (s.at_b - s.at_a) * share;
         if (!(metric.length(foot - p) - off < best.distance)) continue;
         const double t = s.a + (s.b - s.a) * share;
@@ -185,6 +190,25 @@ std::vector<double> TrimRegion::crossings(unsigned axis, double at) const {
         for (const double place : piece.crossings(axis, at)) all.push_back(place);
     std::sort(all.begin(), all.end());
     return all;
+}
+
+double TrimRegion::most_off(const Box2& box, const Vec2& a, const Vec2& b,
+                            const ParameterMetric& metric) const {
+    const Stretch segment{0, 1, a, b};
+    double most = 0;
+    const auto [begin, end] = pieces_between(box.lower.y, box.upper.y);
+    for (std::size_t i = begin; i < end; ++i) {
+        const MonotonePiece& piece = pieces_[row_pieces_[i]];
+        const auto inside = piece.stretch_in(box);
+        if (!inside) continue;
+        const auto [from, to] = *inside;
+        const Stretch own{from, to, piece.point(from), piece.point(to)};
+        // No place of the chord is farther from the segment than one of the chord's ends.
+        most = std::max(most, std::max(chord_distance(own.at_a, segment, metric),
+                                       chord_distance(own.at_b, segment, metric)) +
+                                  most_off_chord(own, metric.across(piece.bend()), metric));
+    }
+    return most;
 }
 
 TrimSide TrimRegion::classify(const Box2& box) const {

@@ -37,6 +37,10 @@ public:
     /// where coordinate `axis` (0 is u, 1 is v) is `at`. Returns the other coordinates of its
     /// crossings with trim curves, rising.
     std::vector<double> crossings(unsigned axis, double at) const;
+    /// Bound of the distance, by the metric, of any place of a trim curve in the box from the
+    /// segment from `a` to `b`; 0 if the box holds none.
+    double most_off(const Box2& box, const Vec2& a, const Vec2& b,
+                    const ParameterMetric& metric) const;
     /// Position of a box: inside or outside if no trim curve can touch it.
     TrimSide classify(const Box2& box) const;
     /// The nearest point of any trim curve within `radius` mm of the point; nullopt if there is
