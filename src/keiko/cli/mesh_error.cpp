@@ -56,6 +56,8 @@ int mesh_error(MeshErrorArguments arguments, const Job& job) {
     write_outputs(arguments, report);
     for (const ComparedMesh& mesh : report.meshes)
         for (const std::string& face : mesh.lost_faces) log_warning(face);
+    if (!wrong_share(report, 0))
+        log_warning("nothing was compared: no pixel mirrors the lamps, which are " + report.lamps);
     print(mesh_error_text(report));
     return exit_pass;
 }
@@ -77,8 +79,8 @@ void add_mesh_error(CLI::App& app, Session& session) {
         ->default_str("1,0.1,0.01");
     command
         .add_option("--normals", arguments->normals,
-                    "at the corners of the triangles: surface, its own; or averaged over the "
-                    "triangles around, as viewers of STL files have them")
+                    "at the corners of the triangles: surface, its own; or averaged "
+                    "within each face over the triangles around")
         ->check(CLI::IsMember({"surface", "averaged"}))
         ->option_text("NAME")
         ->capture_default_str();

@@ -134,7 +134,7 @@ void RenderArguments::add_looks(CLI::App& command) {
         command
             .add_option("--hidden-surfaces", hidden_surfaces_,
                         "of --look mesh:...: algorithm that finds what is seen, z-buffer, "
-                        "scan-line or painter; all find the same")
+                        "scan-line or painter; the same but where depths agree to rounding")
             ->check(CLI::IsMember({"z-buffer", "scan-line", "painter"}))
             ->option_text("NAME")
             ->capture_default_str();

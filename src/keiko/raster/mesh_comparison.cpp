@@ -35,10 +35,8 @@ private:
     void compare(int x, int y) {
         const MirrorPixel &truth = truth_.at(x, y), &mesh = mesh_.at(x, y);
         if (truth.face != 0) ++errors_.body;
-        if (truth.face == mesh.face) {
-            if (truth.face != 0 && truth.distance > 0) compare_lamps(x, y, truth, mesh);
-            return;
-        }
+        if (is_compared(truth, mesh)) compare_lamps(x, y, truth, mesh);
+        if (truth.face == mesh.face) return;
         FacePixels& kind = mesh.face == 0    ? errors_.missed
                            : truth.face == 0 ? errors_.added
                                              : errors_.other_face;
@@ -59,6 +57,7 @@ private:
         ++errors_.compared;
         if (off > wrong_coverage) ++errors_.wrong;
         if (off > reversed_coverage) ++errors_.reversed;
+        if (!(truth.distance > 0)) return; // the surface's image of lamps is nowhere
         normals_.push_back(radians_to_degrees(normal_error(truth.met.normal, mesh.met.normal)) *
                            arcsec);
         const Ray ray = prepared_.ray(x + 0.5, y + 0.5);

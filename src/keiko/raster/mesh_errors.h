@@ -10,7 +10,8 @@ namespace KEIKO_API keiko {
 /// Share of a pixel by which lamps are off where the pixel counts as wrong: a step of brightness
 /// that an eye sees beside its neighbours.
 constexpr double wrong_coverage = 0.1;
-/// Share from which the pixel counts as reversed: it shows a lamp for the gap beside it, or a gap.
+/// Share beyond which the pixel counts as reversed: it shows a lamp for the gap beside it, or a
+/// gap.
 constexpr double reversed_coverage = 0.5;
 
 /// Quantiles of sizes; 0 of none.
@@ -29,12 +30,13 @@ struct FacePixels {
 /// Errors of what a mesh shows of a surface in one view.
 struct MeshErrors {
     std::size_t body = 0;     ///< pixels that show the body in truth
-    std::size_t compared = 0; ///< of these, pixels of the same face in both before a row of lamps
+    std::size_t compared = 0; ///< of these, of the same face in both, one of which mirrors lamps
     std::size_t wrong = 0;    ///< of these, coverage off by more than wrong_coverage
     std::size_t reversed = 0; ///< of these, coverage off by more than reversed_coverage
     FacePixels missed{};      ///< pixels of the body in which the mesh shows nothing
     FacePixels added{};       ///< pixels beside the body in which the mesh shows something
     FacePixels other_face{};  ///< pixels in which both show faces, but not the same
+    // Sizes are of the compared pixels in which the surface meets a row of lamps.
     SizeQuantiles pixels{};   ///< displacement of the mirrored lamps in the picture, px
     SizeQuantiles on_part{};  ///< the same across the line of sight at the surface, mm
     SizeQuantiles at_lamps{}; ///< the same at the lamps, mm

@@ -33,8 +33,7 @@ Image image_of(const MirrorPicture& picture, const Color& color) {
 }
 
 double coverage_error(const MirrorPixel& truth, const MirrorPixel& mesh) {
-    return truth.face != 0 && truth.face == mesh.face ? std::abs(mesh.coverage - truth.coverage)
-                                                      : 0;
+    return is_compared(truth, mesh) ? std::abs(mesh.coverage - truth.coverage) : 0;
 }
 
 /// The sum of errors in the square from a pixel on.
@@ -65,10 +64,11 @@ Image wrong_image(const MirrorPicture& truth, const MirrorPicture& mesh) {
     });
 }
 
-Vec2 most_wrong_place(const MirrorPicture& truth, const MirrorPicture& mesh, double side) {
+std::optional<Vec2> most_wrong_place(const MirrorPicture& truth, const MirrorPicture& mesh,
+                                     double side) {
     const int whole = std::max(static_cast<int>(side), 2);
-    double most = -1;
-    Vec2 place(0);
+    double most = 0;
+    std::optional<Vec2> place;
     for (int top = 0; top < truth.height; top += whole / 2)
         for (int left = 0; left < truth.width; left += whole / 2) {
             const double sum = sum_from(truth, mesh, left, top, whole);

@@ -3,6 +3,8 @@
 #include "keiko/film/film.h"
 #include "keiko/raster/mirror_picture.h"
 
+#include <optional>
+
 namespace keiko {
 
 /// Display picture of mirrored lamps: white a lamp, dark the surface, grey where there is none.
@@ -13,8 +15,10 @@ Image mirror_image(const MirrorPicture& picture);
 Image wrong_image(const MirrorPicture& truth, const MirrorPicture& mesh);
 
 /// The middle, in pixels, of the square of this side whose sum of errors of coverage is the
-/// largest, among squares half a side apart; the first of equals by rows.
-Vec2 most_wrong_place(const MirrorPicture& truth, const MirrorPicture& mesh, double side);
+/// largest, among squares half a side apart; the first of equals by rows. nullopt if nothing is
+/// wrong.
+std::optional<Vec2> most_wrong_place(const MirrorPicture& truth, const MirrorPicture& mesh,
+                                     double side);
 
 /// A camera at the same eye for a square picture of the surroundings of a place of the picture of
 /// `camera`. `side`: pixels; `factor`: how many of its pixels an edge of that camera's has.

@@ -23,6 +23,15 @@ struct MirrorPixel {
     double footprint = 0;   ///< mm, edge of the pixel's image there; 0 where it is not known
 };
 
+/// True for pixels whose mirrored lamps can be compared: both show one face, and at least one of
+/// them meets a row of lamps or mirrors a part of a lamp.
+inline bool is_compared(const MirrorPixel& truth, const MirrorPixel& mesh) {
+    const auto mirrors = [](const MirrorPixel& pixel) {
+        return pixel.distance > 0 || pixel.coverage > 0;
+    };
+    return truth.face != 0 && truth.face == mesh.face && (mirrors(truth) || mirrors(mesh));
+}
+
 /// A surface as a mirror of the lamps alone: it mirrors neither itself nor what else there is.
 struct MirrorPicture {
     int width = 0, height = 0;       ///< pixels

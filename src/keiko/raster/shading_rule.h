@@ -16,7 +16,8 @@ enum class MeshShading {
 /// "constant", "gouraud", "phong"
 std::string_view name_of(MeshShading shading);
 
-/// Algorithms that find the triangle of each pixel. All find the same.
+/// Algorithms that find the triangle of each pixel. They find the same but where
+/// depths agree to rounding.
 enum class HiddenSurfaces {
     z_buffer,  ///< by depths of pixels, in tiles [Catmull1974]
     scan_line, ///< by spans of rows [Sutherland1974]

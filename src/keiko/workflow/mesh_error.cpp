@@ -9,6 +9,7 @@
 #include "keiko/workflow/choose_views.h"
 #include "keiko/workflow/version.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -62,31 +63,45 @@ public:
             mirror_picture(scene_.tracer, scene_.model, camera, lamps_, job);
         MeshErrorView result{view_.name, camera.width, camera.height};
         result.truth = add(view_.name + "-surface.png", mirror_image(truth));
-        result.close_up_side = close_up_side, result.magnification = magnification;
-        std::optional<Camera> near;
+        std::optional<Vec2> place;
         for (std::size_t m = 0; m < meshes_.size(); ++m) {
             const MeshView seen(meshes_[m], camera, job);
             const MirrorPicture mirrored = mirror_picture(seen, lamps_, job);
-            if (!near)
-                near = magnified(camera,
-                                 most_wrong_place(truth, mirrored, close_up_side / magnification),
-                                 close_up_side, magnification);
+            if (m == coarsest())
+                place = most_wrong_place(truth, mirrored, close_up_side / magnification);
             result.meshes.push_back(
                 {mesh_errors(truth, mirrored, camera), facet_bands(seen, truth, mirrored, job)});
             MeshErrorPictures& pictures = result.meshes.back();
             pictures.mirror = add(png_name(view_.name, m, ""), mirror_image(mirrored));
             pictures.wrong = add(png_name(view_.name, m, "-wrong"), wrong_image(truth, mirrored));
-            const MeshView closer(meshes_[m], *near, job);
-            pictures.close_up = add(png_name(view_.name, m, "-close-up"),
-                                    mirror_image(mirror_picture(closer, lamps_, job)));
         }
-        result.close_up =
-            add(view_.name + "-surface-close-up.png",
-                mirror_image(mirror_picture(scene_.tracer, scene_.model, *near, lamps_, job)));
+        result.close_up_side = close_up_side, result.magnification = magnification;
+        if (place) add_close_ups(*place, job, result);
         return result;
     }
 
 private:
+    /// The mesh of the largest deviation that was asked for.
+    std::size_t coarsest() const {
+        const std::vector<ComparedMesh>& all = report_.meshes;
+        const auto largest = std::max_element(
+            all.begin(), all.end(),
+            [](const ComparedMesh& a, const ComparedMesh& b) { return a.asked < b.asked; });
+        return static_cast<std::size_t>(largest - all.begin());
+    }
+
+    void add_close_ups(const Vec2& place, const Job& job, MeshErrorView& result) {
+        const Camera near = magnified(view_.camera, place, close_up_side, magnification);
+        for (std::size_t m = 0; m < meshes_.size(); ++m) {
+            const MeshView closer(meshes_[m], near, job);
+            result.meshes[m].close_up = add(png_name(view_.name, m, "-close-up"),
+                                            mirror_image(mirror_picture(closer, lamps_, job)));
+        }
+        result.close_up =
+            add(view_.name + "-surface-close-up.png",
+                mirror_image(mirror_picture(scene_.tracer, scene_.model, near, lamps_, job)));
+    }
+
     std::string add(const std::string& name, const Image& picture) {
         report_.pngs[name] = encode_png(picture);
         return name;

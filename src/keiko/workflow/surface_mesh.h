@@ -30,13 +30,13 @@ SurfaceField surface_field_by_name(std::string_view name);
 /// Makers of triangles.
 enum class Mesher {
     opencascade, ///< OpenCASCADE's, each face by itself, measured: as viewports of CAD systems
-    spans        ///< a grid in each knot span, within a proved bound
+    spans        ///< a grid in each knot span, within proved bounds
 };
 
 /// Normals at the corners of a mesh.
 enum class CornerNormals {
     surface, ///< those of the exact surface
-    averaged ///< the mean of those of the triangles around, as of files without normals
+    averaged ///< the mean of those of the triangles around, within each face
 };
 
 /// Options of surface_mesh.

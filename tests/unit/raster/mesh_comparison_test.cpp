@@ -1,6 +1,7 @@
 #include "keiko/raster/mesh_comparison.h"
 
 #include "keiko/base/units.h"
+#include "keiko/raster/mirror_images.h"
 #include "keiko/raster/shading_rule.h"
 
 #include "tests/support/analytic_models.h"
@@ -14,14 +15,18 @@ namespace keiko {
 namespace {
 
 /// Lamps over and before a body at the origin, for an eye on the x axis.
-LightRig rig() {
+LightRig rig(double x = 400) {
     CPlane plane;
-    plane.origin = Vec3(400, -2000, -2000);
+    plane.origin = Vec3(x, -2000, -2000);
     plane.u = Vec3(0, 4000, 0), plane.v = Vec3(0, 0, 4000);
     plane.lamps = 40, plane.diameter = 50;
     LightRig rig;
     rig.sources.emplace_back(plane);
     return rig;
+}
+
+SurfaceModel sphere_model() {
+    return test::sphere_model(test::stretched(Vec3(30), Vec3(0, 0, 1), Vec3(0)));
 }
 
 /// A sphere of 30 mm, exact and in triangles, in one view.
@@ -41,7 +46,7 @@ struct ComparedSphere {
     }
     MeshErrors errors() const { return mesh_errors(truth, shown, camera); }
 
-    SurfaceModel model = test::sphere_model(test::stretched(Vec3(30), Vec3(0, 0, 1), Vec3(0)));
+    SurfaceModel model = sphere_model();
     SurfaceMesh mesh;
     Camera camera;
     RigPlanes lamps{rig()};
@@ -104,6 +109,41 @@ TEST(MeshErrors, CountPixelsOfOtherFaces) {
     EXPECT_EQ(errors.other_face.all, pixels);
     EXPECT_EQ(errors.other_face.inside, pixels);
     EXPECT_EQ(right.errors().other_face.all, 0U);
+}
+
+TEST(MeshErrors, CompareNothingBeforeARigBehindTheBody) {
+    Camera camera = test::camera_on_x(100, 100, 100);
+    camera.vertical_fov = 10; // of the sphere's middle, which mirrors to the front
+    const SurfaceModel model = sphere_model();
+    const SurfaceMesh mesh = test::sphere_mesh(30, 20);
+    const RigPlanes behind(rig(-400));
+    const MirrorPicture truth =
+        mirror_picture(Tracer(model, {.second_derivatives = true}), model, camera, behind);
+    const MirrorPicture shown = mirror_picture(MeshView(mesh, camera), behind);
+    const MeshErrors errors = mesh_errors(truth, shown, camera);
+    EXPECT_EQ(errors.body, 10000U);
+    EXPECT_EQ(errors.compared, 0U);
+    EXPECT_FALSE(most_wrong_place(truth, shown, 20).has_value());
+}
+
+TEST(MeshErrors, CountLampsThatTheMeshAloneMirrors) {
+    MirrorPicture truth{4, 1, std::vector<MirrorPixel>(4)};
+    for (MirrorPixel& pixel : truth.pixels) pixel.face = 1, pixel.met = {100, Vec3(1, 0, 0)};
+    MirrorPicture shown = truth;
+    shown.pixels[1].coverage = 1, shown.pixels[1].distance = 300; // a lamp that is not there
+    shown.pixels[2].coverage = 0.3;                               // a part of one beside its row
+    shown.pixels[3].face = 2, shown.pixels[3].coverage = 1;
+    const MeshErrors errors = mesh_errors(truth, shown, test::camera_on_x(100, 4, 1));
+    EXPECT_EQ(errors.compared, 2U);
+    EXPECT_EQ(errors.wrong, 2U);
+    EXPECT_EQ(errors.reversed, 1U);
+    EXPECT_EQ(errors.other_face.all, 1U);
+    EXPECT_EQ(errors.at_lamps.largest, 0); // the surface mirrors no lamp to be displaced
+    const Image picture = wrong_image(truth, shown);
+    std::size_t red = 0;
+    for (int x = 0; x < 4; ++x) red += *picture.pixel(x, 0) > 2 * picture.pixel(x, 0)[2] ? 1 : 0;
+    EXPECT_EQ(red, errors.wrong);
+    EXPECT_EQ(most_wrong_place(truth, shown, 2), Vec2(2, 1));
 }
 
 TEST(MeshErrors, DisplacementIsThatOfATurnedMirror) {

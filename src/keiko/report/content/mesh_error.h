@@ -4,6 +4,7 @@
 #include "keiko/base/output_folder.h"
 #include "keiko/raster/mesh_errors.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,15 +25,16 @@ struct MeshErrorPictures {
     FacetBands bands{};     ///< at borders of its facets
     std::string mirror{};   ///< name of the PNG of its mirrored lamps
     std::string wrong{};    ///< name of the PNG of the pixels that are wrong
-    std::string close_up{}; ///< name of the PNG of its mirrored lamps at the close-up
+    std::string close_up{}; ///< of its mirrored lamps at the close-up; empty if there is none
 };
 
-/// A view, with the meshes in the order of MeshErrorReport::meshes.
+/// A view, with the meshes in the order of MeshErrorReport::meshes. It has close-ups of the place
+/// where the mesh of the largest deviation asked for mirrors lamps wrong most, if it does anywhere.
 struct MeshErrorView {
     std::string name;          ///< of the view
     int width = 0, height = 0; ///< pixels of the pictures
     std::string truth{};       ///< name of the PNG of the lamps that the surface mirrors
-    std::string close_up{};    ///< the same at the close-up
+    std::string close_up{};    ///< the same at the close-up; empty if there is none
     int close_up_side = 0;     ///< pixels of a side of the close-ups
     double magnification = 0;  ///< of the close-ups
     std::vector<MeshErrorPictures> meshes{}; ///< one a mesh
@@ -49,8 +51,11 @@ struct MeshErrorReport {
     FolderContent pngs{};               ///< that the views name
 };
 
-/// Share of the compared pixels that are wrong, over all views; 0 without any.
-double wrong_share(const MeshErrorReport& report, std::size_t mesh);
+/// Share of the compared pixels that are wrong, over all views; nullopt without any.
+std::optional<double> wrong_share(const MeshErrorReport& report, std::size_t mesh);
+/// "12.30 % of the mirrored pixels wrong; 5 pixels missed, 2 added, 0 of another face", or that no
+/// pixel mirrors the lamps.
+std::string mesh_error_head(const MeshErrorReport& report, std::size_t mesh);
 
 /// The errors for people, a line a mesh and view.
 std::string mesh_error_text(const MeshErrorReport& report);

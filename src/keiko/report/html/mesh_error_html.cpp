@@ -28,12 +28,12 @@ std::string mesh_name(const ComparedMesh& mesh) {
     return "mesh of " + short_number(mesh.asked) + " mm";
 }
 
-/// "a mesh of 1 mm shows 12.30 % of the mirrored pixels wrong" for each.
+/// "Mesh of 1 mm: 12.30 % of the mirrored pixels wrong; 5 pixels missed, ..." for each.
 std::string head(const MeshErrorReport& report) {
     std::string sentences;
     for (std::size_t m = 0; m < report.meshes.size(); ++m)
-        sentences += "<div>A " + html_escaped(mesh_name(report.meshes[m])) + " shows <b>" +
-                     percent(wrong_share(report, m)) + "</b> of the mirrored pixels wrong.</div>";
+        sentences += "<div>M" + html_escaped(mesh_name(report.meshes[m]).substr(1)) + ": <b>" +
+                     html_escaped(mesh_error_head(report, m)) + "</b>.</div>";
     return "<header class=\"card head\"><div class=\"names\"><h1>" + html_escaped(report.source) +
            "</h1><div class=\"soft\">what meshes show of its reflections; lamps " +
            html_escaped(report.lamps) + "</div>" + sentences + "</div></header>\n";
@@ -52,6 +52,8 @@ std::string close_up(const MeshErrorReport& report, const std::string& name,
 }
 
 std::string close_ups(const MeshErrorReport& report, const MeshErrorView& view) {
+    if (view.close_up.empty())
+        return "<p class=\"soft small\">The coarsest mesh mirrors no pixel wrong.</p>";
     std::string row;
     for (std::size_t m = 0; m < view.meshes.size(); ++m)
         row += close_up(report, view.meshes[m].close_up, mesh_name(report.meshes[m]));
@@ -160,16 +162,17 @@ std::string meshes(const MeshErrorReport& report) {
 std::string meaning(const MeshErrorReport& report) {
     const std::string normals =
         report.averaged_normals
-            ? "the mean normals of those around at their corners, as viewers of STL files have them"
+            ? "normals at their corners that are averaged within each face over the triangles "
+              "around"
             : "the surface’s own normals at their corners, as a good viewport has them";
     return "<p>Both sides of each slider mirror the same lamps to the same eye. Only the surface "
            "differs: the exact one, or triangles with " +
            normals +
            ".</p>"
            "<p>A pixel is wrong if lamps fill another share of it, by more than " +
-           whole_percent(wrong_coverage) + ". It is reversed from " +
+           whole_percent(wrong_coverage) + ". It is reversed beyond " +
            whole_percent(reversed_coverage) +
-           " on. Wrong pixels are red in the pictures beside the sliders, pixels of another face "
+           ". Wrong pixels are red in the pictures beside the sliders, pixels of another face "
            "or "
            "none blue.</p>"
            "<p>Pixels inside lie off all edges: their neighbours show one face. There a mesh has "

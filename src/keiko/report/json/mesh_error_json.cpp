@@ -5,6 +5,10 @@
 namespace keiko {
 namespace {
 
+Json name_or_null(const std::string& name) {
+    return name.empty() ? Json() : Json(name);
+}
+
 Json quantiles_json(const SizeQuantiles& sizes) {
     return {{"median", sizes.median}, {"p99", sizes.p99}, {"largest", sizes.largest}};
 }
@@ -45,13 +49,13 @@ Json view_json(const MeshErrorReport& report, const MeshErrorView& view) {
                           {"facet_bands", bands_json(mesh.bands)},
                           {"mirror", mesh.mirror},
                           {"wrong", mesh.wrong},
-                          {"close_up", mesh.close_up}});
+                          {"close_up", name_or_null(mesh.close_up)}});
     }
     return {{"view", view.name},
             {"width", view.width},
             {"height", view.height},
             {"truth", view.truth},
-            {"close_up", view.close_up},
+            {"close_up", name_or_null(view.close_up)},
             {"close_up_side", view.close_up_side},
             {"magnification", view.magnification},
             {"meshes", std::move(meshes)}};
@@ -61,11 +65,15 @@ Json view_json(const MeshErrorReport& report, const MeshErrorView& view) {
 
 std::string mesh_error_json(const MeshErrorReport& report) {
     Json meshes = Json::array(), views = Json::array();
-    for (const ComparedMesh& mesh : report.meshes)
+    for (std::size_t m = 0; m < report.meshes.size(); ++m) {
+        const ComparedMesh& mesh = report.meshes[m];
+        const std::optional<double> share = wrong_share(report, m);
         meshes.push_back({{"asked", mesh.asked},
                           {"deviation", mesh.deviation},
                           {"triangles", mesh.triangles},
-                          {"lost_faces", mesh.lost_faces}});
+                          {"lost_faces", mesh.lost_faces},
+                          {"wrong_share", share ? Json(*share) : Json()}});
+    }
     for (const MeshErrorView& view : report.views) views.push_back(view_json(report, view));
     return text_of({{"format", "keiko-mesh-error/1"},
                     {"tool", {{"name", "keiko"}, {"version", report.tool_version}}},
