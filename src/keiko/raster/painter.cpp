@@ -76,25 +76,54 @@ void paint(const PaintedPart& part, const PixelBox& window, ItemBuffer& seen) {
     });
 }
 
-/// Paints parts from the back to the front: those behind the plane of one of them, those on it, the
-/// last of the mesh first, and those before it.
-void paint_sorted(const std::vector<PaintedPart>& parts, const PixelBox& window, ItemBuffer& seen) {
-    if (parts.empty()) return;
+/// Parts by their sides of the plane of one of them.
+struct SplitParts {
+    std::vector<PaintedPart> behind{}, on{}, before{};
+};
+
+SplitParts split(std::vector<PaintedPart> parts) {
     const Painted& plane = *parts[parts.size() / 2].whole;
-    std::vector<PaintedPart> behind, on, before;
-    for (const PaintedPart& part : parts) {
+    SplitParts sides;
+    for (PaintedPart& part : parts) {
         const PlaneSide side = part.whole == &plane ? PlaneSide::on : side_of(*part.whole, plane);
-        if (side == PlaneSide::on) on.push_back(part);
-        if (side == PlaneSide::behind) behind.push_back(part);
-        if (side == PlaneSide::before) before.push_back(part);
-        if (side != PlaneSide::both) continue;
-        behind.push_back(part), before.push_back(part);
-        behind.back().cuts.emplace_back(&plane, false),
-            before.back().cuts.emplace_back(&plane, true);
+        if (side == PlaneSide::both) {
+            sides.behind.push_back(part);
+            sides.behind.back().cuts.emplace_back(&plane, false);
+            part.cuts.emplace_back(&plane, true);
+        }
+        std::vector<PaintedPart>& own = side == PlaneSide::on       ? sides.on
+                                        : side == PlaneSide::behind ? sides.behind
+                                                                    : sides.before;
+        own.push_back(std::move(part));
     }
-    paint_sorted(behind, window, seen);
-    for (auto part = on.rbegin(); part != on.rend(); ++part) paint(*part, window, seen);
-    paint_sorted(before, window, seen);
+    return sides;
+}
+
+/// Parts that are still to be painted.
+struct OpenParts {
+    std::vector<PaintedPart> parts;
+    bool on_one_plane = false;
+};
+
+/// Paints parts from the back to the front: those behind the plane of one of them, those on it, the
+/// last of the mesh first, and those before it. Only the open sides are kept: however they lie,
+/// each part is held once.
+void paint_sorted(std::vector<PaintedPart> parts, const PixelBox& window, ItemBuffer& seen) {
+    std::vector<OpenParts> open; // the farthest last
+    open.push_back({std::move(parts)});
+    while (!open.empty()) {
+        OpenParts next = std::move(open.back());
+        open.pop_back();
+        if (next.on_one_plane || next.parts.size() < 2) {
+            for (auto part = next.parts.rbegin(); part != next.parts.rend(); ++part)
+                paint(*part, window, seen);
+            continue;
+        }
+        SplitParts sides = split(std::move(next.parts));
+        open.push_back({std::move(sides.before)});
+        open.push_back({std::move(sides.on), true});
+        open.push_back({std::move(sides.behind)});
+    }
 }
 
 } // namespace
@@ -112,7 +141,7 @@ ItemBuffer painted_triangles(const SurfaceMesh& mesh, const Camera& camera, cons
         });
         std::vector<PaintedPart> parts;
         for (const Painted& triangle : triangles) parts.push_back({&triangle});
-        paint_sorted(parts, window, seen);
+        paint_sorted(std::move(parts), window, seen);
     });
     return seen;
 }
