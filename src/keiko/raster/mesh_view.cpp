@@ -15,6 +15,12 @@ ItemBuffer visible_triangles(const SurfaceMesh& mesh, const Camera& camera, cons
     return z_buffer(mesh, camera, job);
 }
 
+Ray mirrored_by(const MeshPlace& place, const Ray& sight) {
+    Ray ray;
+    ray.origin = place.position, ray.direction = reflect(sight.direction, place.normal);
+    return ray;
+}
+
 } // namespace
 
 MeshView::MeshView(const SurfaceMesh& mesh, const Camera& camera, const Job& job, HiddenSurfaces by)
@@ -41,32 +47,28 @@ std::array<Vec3, 3> MeshView::corner_normals(std::uint32_t triangle) const {
     return normals;
 }
 
-MeshPlace MeshView::met(std::uint32_t triangle, const Ray& ray) const {
-    const std::array<Vec3, 3> places = corners(triangle);
-    const Vec3 weights = ray_weights(places, ray);
-    return {triangle, weights, mixed(weights, places),
+MeshPlace MeshView::place(std::uint32_t triangle, const Vec3& weights) const {
+    return {triangle, weights, mixed(weights, corners(triangle)),
             mixed_normal(weights, corner_normals(triangle))};
 }
 
 std::optional<MeshPlace> MeshView::at(int x, int y) const {
     const std::uint32_t triangle = items_.at(x, y);
     if (triangle == no_index) return std::nullopt;
-    return met(triangle, prepared_.ray(x + 0.5, y + 0.5));
+    const Ray sight = prepared_.ray(x + 0.5, y + 0.5);
+    return place(triangle, weights_within(ray_weights(corners(triangle), sight)));
 }
 
 Ray MeshView::mirrored_at(const Vec2& pixel, std::uint32_t triangle) const {
     const Ray sight = prepared_.ray(pixel.x, pixel.y);
-    const MeshPlace place = met(triangle, sight);
-    Ray ray;
-    ray.origin = place.position, ray.direction = reflect(sight.direction, place.normal);
-    return ray;
+    return mirrored_by(place(triangle, ray_weights(corners(triangle), sight)), sight);
 }
 
 Ray MeshView::mirrored(int x, int y, const MeshPlace& place) const {
     const auto beside = [&](double dx, double dy) {
         return mirrored_at(Vec2(x + 0.5 + dx, y + 0.5 + dy), place.triangle);
     };
-    Ray ray = beside(0, 0);
+    Ray ray = mirrored_by(place, prepared_.ray(x + 0.5, y + 0.5));
     const Ray right = beside(0.5, 0), left = beside(-0.5, 0);
     const Ray below = beside(0, 0.5), above = beside(0, -0.5);
     ray.differentials = RayDifferentials{.origin_dx = right.origin - left.origin,

@@ -16,7 +16,7 @@ namespace keiko {
 /// Place of a triangle.
 struct MeshPlace {
     std::uint32_t triangle = 0; ///< into SurfaceMesh::triangles
-    Vec3 weights{0};            ///< shares of its corners, see ray_weights()
+    Vec3 weights{0};            ///< shares of its corners, 0 to 1, see weights_within()
     Vec3 position{0};           ///< world, mm
     Vec3 normal{0};             ///< unit, of either side: those of the corners, mixed by Phong
 };
@@ -50,7 +50,8 @@ public:
     std::array<Vec3, 3> corner_normals(std::uint32_t triangle) const;
 
 private:
-    MeshPlace met(std::uint32_t triangle, const Ray& ray) const;
+    MeshPlace place(std::uint32_t triangle, const Vec3& weights) const;
+    /// Of the triangle's plane, beside the triangle too.
     Ray mirrored_at(const Vec2& pixel, std::uint32_t triangle) const;
 
     const SurfaceMesh& mesh_;

@@ -2,6 +2,7 @@
 
 #include "keiko/geometry/rays/ray.h"
 
+#include <algorithm>
 #include <array>
 
 namespace keiko {
@@ -17,6 +18,14 @@ inline Vec3 ray_weights(const std::array<Vec3, 3>& corners, const Ray& ray) {
                        a.cross(b).dot(ray.direction));
     const Vec3 weights = volumes / (volumes.x + volumes.y + volumes.z);
     return is_finite(weights) ? weights : Vec3(1.0 / 3);
+}
+
+/// Weights of a place of the triangle itself: those below 0 become 0, the others keep their ratio.
+/// Of a thin facet a pixel's centre may lie far beside it, as its corners are rounded in the
+/// picture. The weights must sum to 1.
+inline Vec3 weights_within(const Vec3& weights) {
+    const Vec3 within(std::max(weights.x, 0.0), std::max(weights.y, 0.0), std::max(weights.z, 0.0));
+    return within / (within.x + within.y + within.z);
 }
 
 /// Mean of what the corners have, by their weights: a luminance by Gouraud's shading [Gouraud1971].

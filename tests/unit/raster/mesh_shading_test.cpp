@@ -1,10 +1,13 @@
 #include "keiko/raster/mesh_shading.h"
 
+#include "keiko/raster/smooth_shading.h"
+
 #include "tests/support/hand_mesh.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 namespace keiko {
 namespace {
@@ -63,6 +66,44 @@ TEST(MeshShading, GouraudMixesTheCornersOfEachTriangle) {
     const Image each = shaded_mesh(view, MeshShading::phong, height);
     for (std::size_t i = 0; i < mixed.values.size(); ++i)
         EXPECT_NEAR(mixed.values[i], each.values[i], 1e-4);
+}
+
+TEST(MeshShading, MixesOnlyWithinThinFacets) {
+    // Slivers far thinner than a subpixel, of which rounding covers centres all the same.
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> share(-1, 1);
+    SurfaceMesh mesh;
+    for (int i = 0; i < 3000; ++i) {
+        const auto anywhere = [&] { return Vec3(share(random), share(random), share(random)); };
+        const Vec3 from = anywhere() * 250, to = anywhere() * 250;
+        const Vec3 between = (from + to) / 2 + anywhere() * 0.5;
+        test::add_triangle(
+            mesh, {from, to, between},
+            {anywhere().normalized(), anywhere().normalized(), anywhere().normalized()});
+    }
+    const Camera camera = test::camera_on_x(1000, 96, 96);
+    const MeshView view(mesh, camera);
+    std::size_t beside = 0;
+    for (int y = 0; y < 96; ++y)
+        for (int x = 0; x < 96; ++x) {
+            const auto place = view.at(x, y);
+            if (!place) continue;
+            const Vec3& w = place->weights;
+            EXPECT_GE(std::min({w.x, w.y, w.z}), 0);
+            EXPECT_NEAR(w.x + w.y + w.z, 1, 1e-12);
+            const Vec3 free =
+                ray_weights(view.corners(place->triangle), camera.ray(x + 0.5, y + 0.5));
+            beside += std::min({free.x, free.y, free.z}) < 0 ? 1 : 0;
+        }
+    EXPECT_GT(beside, 10U);
+    const PlaceLight light = [](const ShadedPlace& lit) {
+        return Rgb(std::abs(lit.eye.dot(lit.place.normal)));
+    };
+    for (const MeshShading shading : {MeshShading::gouraud, MeshShading::phong})
+        for (const float value : shaded_mesh(view, shading, light).values) {
+            EXPECT_GE(value, 0);
+            EXPECT_LE(value, 1.00001F);
+        }
 }
 
 TEST(MeshShading, MirroredRaysHaveTheDifferentialsOfASphere) {
