@@ -62,6 +62,22 @@ class MeshError(MeshTest):
             files.append({path.name: path.read_bytes() for path in (self.folder / threads).iterdir()})
         self.assertEqual(*files)
 
+    def test_tells_that_nothing_was_compared(self):
+        # Lamps below the part, which is seen from above and mirrors to the sky.
+        (self.folder / "below.toml").write_text(
+            'format = "keiko-rig/1"\nname = "below"\n[[c_plane]]\norigin = [-600, -210, -9000]\nu = [1200, 0, 0]\n'
+            'v = [0, 420, 0]\nlamps = 6\npitch = 70\ndiameter = 26\nluminance = 9000\n')
+        run = self.keiko("mesh-error", DENT, "--size", "240x160", "--view", "three-quarter-front", "--mesh", "1",
+                         "--rig", "below.toml", "-o", "out")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("nothing was compared", run.stderr)
+        self.assertIn("no pixel mirrors the lamps", run.stdout)
+        self.assertNotIn("0.00 %", run.stdout)
+        report = json.loads((self.folder / "out" / "mesh-error.json").read_text())
+        self.assertIsNone(report["meshes"][0]["wrong_share"])
+        self.assertIsNone(report["views"][0]["close_up"])
+        self.assertIn("no pixel mirrors the lamps", (self.folder / "out" / "mesh-error.html").read_text())
+
     def test_refuses_a_deviation_that_is_none(self):
         for mesh in ("0", "-1", "nan", "1,1"):
             self.refuse("mesh-error", DENT, "--mesh", mesh, "-o", "out", mentioning="--mesh")
