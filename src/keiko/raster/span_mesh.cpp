@@ -3,11 +3,10 @@
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/geometry/bezier/parameter_metric.h"
-#include "keiko/geometry/bezier/patch_height.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/raster/second_derivative_bounds.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -17,18 +16,11 @@
 namespace keiko {
 namespace {
 
-/// Parts of a patch a side over which derivatives are bounded: bounds of a part are tighter.
-constexpr int parts = 4;
 /// Share of a patch by which its trims are queried inside its border: loops often run along it,
 /// and there a place is material or not by rounding.
 constexpr double inset = 1e-6;
 /// Halvings of a cell until only rounding is left of it.
 constexpr int most_halvings = 40;
-
-Box2 cell_box(const SpanCells& cells, int i, int j) {
-    return {Vec2(double(i) / cells.u, double(j) / cells.v),
-            Vec2(double(i + 1) / cells.u, double(j + 1) / cells.v)};
-}
 
 /// Patches of a face with the same range of a face parameter have as many cells along it.
 class FaceCells {
@@ -235,51 +227,13 @@ FaceMesh mesh_of(const SurfaceModel& model, const Face& face, double deviation) 
         const SpanCells divided = cells.of(model.patches[p]);
         PatchMesher mesher(model, trims, cells.bounds(p - face.first_patch), p, deviation, mesh);
         for (int i = 0; i < divided.u; ++i)
-            for (int j = 0; j < divided.v; ++j) mesher.add_cell(cell_box(divided, i, j));
+            for (int j = 0; j < divided.v; ++j) mesher.add_cell(divided.box(i, j));
     }
     if (mesh.triangles.empty()) mesh.problem = "its trim loops leave no cell";
     return mesh;
 }
 
 } // namespace
-
-SecondDerivativeBounds SecondDerivativeBounds::of(const BezierPatchView& patch) {
-    const std::array heights{PatchHeight(patch, {Vec3(1, 0, 0), 0}),
-                             PatchHeight(patch, {Vec3(0, 1, 0), 0}),
-                             PatchHeight(patch, {Vec3(0, 0, 1), 0})};
-    SecondDerivativeBounds bounds;
-    for (int i = 0; i < parts; ++i)
-        for (int j = 0; j < parts; ++j) {
-            Vec3 uu(0), uv(0), vv(0);
-            for (unsigned k = 0; k < 3; ++k) {
-                const auto slopes = heights[k].over(cell_box({parts, parts}, i, j)).slopes();
-                uu[k] = slopes.xx.magnitude(), uv[k] = slopes.xy.magnitude();
-                vv[k] = slopes.yy.magnitude();
-            }
-            constexpr double per_patch = parts * parts; // by a part's own parameters before
-            bounds.uu = std::max(bounds.uu, uu.length() * per_patch);
-            bounds.uv = std::max(bounds.uv, uv.length() * per_patch);
-            bounds.vv = std::max(bounds.vv, vv.length() * per_patch);
-        }
-    return bounds;
-}
-
-double SecondDerivativeBounds::deviation(const SpanCells& cells) const {
-    const double u = 1.0 / cells.u, v = 1.0 / cells.v;
-    return (uu * u * u + 2 * uv * u * v + vv * v * v) / 8;
-}
-
-SpanCells SecondDerivativeBounds::cells_within(double most) const {
-    SpanCells cells;
-    constexpr int widest = 1 << 14; // a patch in more cells than pixels of any picture
-    while (deviation(cells) > most && std::max(cells.u, cells.v) < widest) {
-        const double by_u = uu / (double(cells.u) * cells.u);
-        const double by_v = vv / (double(cells.v) * cells.v);
-        int& finer = by_u >= by_v ? cells.u : cells.v;
-        finer += 1 + finer / 16;
-    }
-    return cells;
-}
 
 ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job) {
     ModelMesh mesh(model.faces.size());

@@ -1,5 +1,7 @@
 #include "keiko/raster/span_mesh.h"
 
+#include "keiko/raster/second_derivative_bounds.h"
+
 #include "tests/support/analytic_models.h"
 #include "tests/support/model_builder.h"
 #include "tests/support/shapes.h"
