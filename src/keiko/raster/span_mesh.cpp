@@ -20,7 +20,7 @@ namespace {
 /// and there a place is material or not by rounding.
 constexpr double inset = 1e-6;
 /// Halvings of a cell until only rounding is left of it.
-constexpr int most_halvings = 40;
+constexpr int most_halvings = 80;
 
 /// Patches of a face with the same range of a face parameter have as many cells along it.
 class FaceCells {
@@ -88,8 +88,8 @@ private:
         return {uv.lower, Vec2(uv.upper.x, uv.lower.y), uv.upper, Vec2(uv.lower.x, uv.upper.y)};
     }
 
-    /// Cuts a cell along a chord that all its trims lie near, or leaves those near one of its sides
-    /// away; halves others while they are larger than the deviation.
+    /// Cuts a cell along the chord of two cuts if all its trims lie near, or leaves those near one
+    /// of its sides away; halves others while they are larger than the deviation.
     void add_cut_cell(const Box2& uv, int halvings) {
         const ParameterMetric longest = longest_steps(uv);
         const Box2 around{asked(uv.lower), asked(uv.upper)};
@@ -97,7 +97,9 @@ private:
         if (settle(off_chord(cell.cuts, around, longest))) return add_polygon(cell.polygon);
         if (settle(off_sides(around, longest))) return add_if_material(uv);
         const double size = longest.across(around.extent());
-        if (halvings > 0 && size > deviation_) return add_quarters(uv, halvings - 1);
+        const Vec2 lengths(longest.length({around.extent().x, 0}),
+                           longest.length({0, around.extent().y}));
+        if (halvings > 0 && size > deviation_) return add_halves(uv, lengths, halvings - 1);
         mesh_.deviation = std::max(mesh_.deviation, size);
         if (cell.polygon.size() > 2) return add_polygon(cell.polygon);
         add_if_material(uv);
@@ -114,32 +116,31 @@ private:
         if (trims_.contains(face(uv.center()))) add_polygon(corners(uv));
     }
 
-    void add_quarters(const Box2& uv, int halvings) {
-        const Vec2 middle = uv.center();
-        add_cell({uv.lower, middle}, halvings), add_cell({middle, uv.upper}, halvings);
-        add_cell({Vec2(middle.x, uv.lower.y), Vec2(uv.upper.x, middle.y)}, halvings);
-        add_cell({Vec2(uv.lower.x, middle.y), Vec2(middle.x, uv.upper.y)}, halvings);
+    /// Adds the halves of a cell along the parameter in which it is longer on the surface.
+    void add_halves(const Box2& uv, const Vec2& lengths, int halvings) {
+        const unsigned along = lengths.x >= lengths.y ? 0 : 1;
+        Box2 lower = uv, upper = uv;
+        lower.upper[along] = upper.lower[along] = uv.center()[along];
+        add_cell(lower, halvings), add_cell(upper, halvings);
     }
 
-    /// Bound of the distance of the cell's trims from the chord between its first cut and the one
-    /// farthest from it; infinite without two.
+    /// Bound of the distance of the cell's trims from the chord between its two cuts; infinite for
+    /// other numbers of cuts, of which no one curve joins two.
     double off_chord(const std::vector<Vec2>& cuts, const Box2& around,
                      const ParameterMetric& longest) const {
-        if (cuts.size() < 2) return std::numeric_limits<double>::infinity();
-        const Vec2 from = asked(cuts.front());
-        Vec2 to = from;
-        for (const Vec2& cut : cuts)
-            if (longest.length(asked(cut) - from) > longest.length(to - from)) to = asked(cut);
-        return trims_.most_off(around, from, to, longest);
+        if (cuts.size() != 2) return std::numeric_limits<double>::infinity();
+        return trims_.most_off(around, asked(cuts[0]), asked(cuts[1]), longest);
     }
 
-    /// Bound of their distance from the side that they are nearest to.
+    /// Bound of their distance from a side that they are nearer to than the cell's middle is.
     double off_sides(const Box2& around, const ParameterMetric& longest) const {
         const std::vector<Vec2> ends = corners(around);
         double least = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < ends.size(); ++i)
-            least = std::min(
-                least, trims_.most_off(around, ends[i], ends[(i + 1) % ends.size()], longest));
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            const Vec2 &a = ends[i], &b = ends[(i + 1) % ends.size()];
+            const double off = trims_.most_off(around, a, b, longest);
+            if (off < longest.length((a + b) / 2 - around.center())) least = std::min(least, off);
+        }
         return least;
     }
 

@@ -124,15 +124,19 @@ TEST(SpanMesh, KeepsTheCornersOfSmallCutOuts) {
     EXPECT_LT(mesh.triangles.size(), 1000U);
 }
 
-TEST(SpanMesh, FillsSlitsInFewCells) {
-    test::ShapeBuilder shape; // slits without width: across cells, and askew
-    shape.face({test::rectangle(0, 1000, 0, 1000, 0)},
-               {test::polygon({Vec2(0, 0), Vec2(1000, 0), Vec2(1000, 1000), Vec2(0, 1000)}),
-                test::polygon({Vec2(100, 300.7), Vec2(900, 300.7)}),
-                test::polygon({Vec2(100, 400), Vec2(900, 900)})});
-    const FaceMesh mesh = span_mesh(shape.model(), 0.001).front();
-    EXPECT_NEAR(area(mesh), 1e6, 1e-6);
-    EXPECT_LT(mesh.triangles.size(), 2000U);
+TEST(SpanMesh, CutsCurvedFacesOfAngularParameters) {
+    constexpr double radius = 20, height = 100, around = 2 * std::numbers::pi, hole = 0.5;
+    test::ShapeBuilder shape; // a hole of 20 x 1 mm in a cylinder, an ellipse when it is unrolled
+    shape.face(test::cylinder(radius, height),
+               {test::polygon({Vec2(0, 0), Vec2(around, 0), Vec2(around, height), Vec2(0, height)}),
+                test::circle(Vec2(1.5, 40.3), hole)});
+    const double exact = around * height - std::numbers::pi * hole * hole;
+    for (const double deviation : {0.1, 0.005}) {
+        const FaceMesh mesh = span_mesh(shape.model(), deviation).front();
+        constexpr double border = 41; // mm, above the ellipse's 40.1
+        EXPECT_NEAR(radius * area(mesh), radius * exact, border * deviation);
+        EXPECT_LE(mesh.deviation, deviation);
+    }
 }
 
 TEST(SpanMesh, NeighboursHaveAsManyCellsAlongTheirCommonSide) {
