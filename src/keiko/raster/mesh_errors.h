@@ -30,7 +30,7 @@ struct FacePixels {
 /// Errors of what a mesh shows of a surface in one view.
 struct MeshErrors {
     std::size_t body = 0;     ///< pixels that show the body in truth
-    std::size_t compared = 0; ///< of these, of the same face in both, one of which mirrors lamps
+    std::size_t compared = 0; ///< of these, of the same face in both, where one mirrors lamps
     std::size_t wrong = 0;    ///< of these, coverage off by more than wrong_coverage
     std::size_t reversed = 0; ///< of these, coverage off by more than reversed_coverage
     FacePixels missed{};      ///< pixels of the body in which the mesh shows nothing

@@ -51,7 +51,7 @@ public:
 
 private:
     MeshPlace place(std::uint32_t triangle, const Vec3& weights) const;
-    /// Of the triangle's plane, beside the triangle too.
+    /// The ray mirrored by the triangle's plane, beside the triangle too.
     Ray mirrored_at(const Vec2& pixel, std::uint32_t triangle) const;
 
     const SurfaceMesh& mesh_;

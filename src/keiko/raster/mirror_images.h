@@ -14,9 +14,8 @@ Image mirror_image(const MirrorPicture& picture);
 /// the pixel that is off where that is above wrong_coverage, blue where faces differ.
 Image wrong_image(const MirrorPicture& truth, const MirrorPicture& mesh);
 
-/// The middle, in pixels, of the square of this side whose sum of errors of coverage is the
-/// largest, among squares half a side apart; the first of equals by rows. nullopt if nothing is
-/// wrong.
+/// The middle, in pixels, of the square of this side with the largest sum of errors of coverage.
+/// Squares are half a side apart; the first of equals by rows. nullopt if nothing is wrong.
 std::optional<Vec2> most_wrong_place(const MirrorPicture& truth, const MirrorPicture& mesh,
                                      double side);
 

@@ -42,7 +42,7 @@ public:
         return {along_u_.at(range(patch.map_u)), along_v_.at(range(patch.map_v))};
     }
     double deviation() const { return deviation_; }
-    /// Of a patch, counted from the first of the face.
+    /// Bounds of a patch, counted from the first of the face.
     const SecondDerivativeBounds& bounds(std::size_t patch) const { return bounds_[patch]; }
 
 private:
@@ -125,7 +125,7 @@ private:
     }
 
     /// Bound of the distance of the cell's trims from the chord between its two cuts; infinite for
-    /// other numbers of cuts, of which no one curve joins two.
+    /// other numbers of cuts, as no one curve joins those.
     double off_chord(const std::vector<Vec2>& cuts, const Box2& around,
                      const ParameterMetric& longest) const {
         if (cuts.size() != 2) return std::numeric_limits<double>::infinity();

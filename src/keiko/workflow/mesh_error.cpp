@@ -81,7 +81,7 @@ public:
     }
 
 private:
-    /// The mesh of the largest deviation that was asked for.
+    /// The mesh of the largest wanted deviation.
     std::size_t coarsest() const {
         const std::vector<ComparedMesh>& all = report_.meshes;
         const auto largest = std::max_element(

@@ -69,7 +69,7 @@ TEST(MeshShading, GouraudMixesTheCornersOfEachTriangle) {
 }
 
 TEST(MeshShading, MixesOnlyWithinThinFacets) {
-    // Slivers far thinner than a subpixel, of which rounding covers centres all the same.
+    // Slivers far thinner than a subpixel, which cover centres by rounding all the same.
     std::mt19937 random(7);
     std::uniform_real_distribution<double> share(-1, 1);
     SurfaceMesh mesh;

@@ -14,9 +14,9 @@ struct FaceMesh {
     std::vector<Vec2> uv; ///< corners, in face parameters
     /// Indices of corners, counter-clockwise in the plane of the face parameters.
     std::vector<std::array<std::uint32_t, 3>> triangles;
-    /// mm, largest distance of the exact surface from the triangles: measured at the middles of
-    /// these and of their edges, or a proved bound of it, and of that of trim curves on the surface
-    /// from their chords.
+    /// mm, largest distance of the exact surface from the triangles, measured at the middles of
+    /// these and of their edges. Or a proved bound of it, and of the distance of trim curves on the
+    /// surface from their chords.
     double deviation = 0;
     std::string problem; ///< why there are no triangles; empty if there are
 };

@@ -29,7 +29,7 @@ struct MeshErrorPictures {
 };
 
 /// A view, with the meshes in the order of MeshErrorReport::meshes. It has close-ups of the place
-/// where the mesh of the largest deviation asked for mirrors lamps wrong most, if it does anywhere.
+/// where the mesh of the largest wanted deviation mirrors lamps wrong most, if it does anywhere.
 struct MeshErrorView {
     std::string name;          ///< of the view
     int width = 0, height = 0; ///< pixels of the pictures
