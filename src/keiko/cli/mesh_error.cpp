@@ -76,7 +76,7 @@ void add_mesh_error(CLI::App& app, Session& session) {
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(number_between(1e-6, 1e6))
-        ->default_str("1,0.1,0.01");
+        ->default_str("1,0.1");
     command
         .add_option("--normals", arguments->normals,
                     "at the corners of the triangles: surface, its own; or averaged "

@@ -14,7 +14,7 @@ namespace KEIKO_API keiko {
 
 /// Options of mesh_error.
 struct MeshErrorOptions {
-    std::vector<double> deviations{1, 0.1, 0.01};   ///< mm, of the meshes; above 0, each but once
+    std::vector<double> deviations{1, 0.1};         ///< mm, of the meshes; above 0, each but once
     std::vector<std::string> views{};               ///< names; empty: three automatic ones
     std::optional<std::filesystem::path> rig{};     ///< none: the scene's own, or else placed
     PlacementOptions placement{};                   ///< of lamps that are placed
