@@ -9,7 +9,10 @@
 namespace KEIKO_API keiko {
 
 /// Scratches along a parameter of the face.
-enum class FaceDirection { u, v };
+enum class FaceDirection {
+    u, ///< along curves of constant v
+    v  ///< along curves of constant u
+};
 
 /// Scratches along a direction in space, as far as the surface has it.
 struct SpaceDirection {

@@ -115,8 +115,8 @@ TEST(PrimitiveTable, BadPrimitivesOfAScene) {
     const auto error = [](const std::string& text) {
         try {
             parse_scene(text, "bad.toml");
-        } catch (const Error& error) {
-            return std::string(error.what());
+        } catch (const Error& refused) {
+            return std::string(refused.what());
         }
         return std::string();
     };

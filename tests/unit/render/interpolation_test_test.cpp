@@ -132,7 +132,7 @@ TEST(InterpolationTest, StepsOverNoNarrowerShadows) {
 // Its bend is within what pictures resolve, though not within the budget of light.
 TEST(InterpolationTest, TellsAQuarterOfTheSkyByItsShareToItsResolution) {
     const PlateSpots plate = before_eaves(60);
-    constexpr double error = 5e-4;
+    constexpr double error = 2e-3;
     const Trial trial{plate, error};
     EXPECT_TRUE(trial.told.lines.empty());
     EXPECT_TRUE(trial.told.parabolas.empty());
@@ -152,5 +152,5 @@ TEST(InterpolationTest, TellsAQuarterOfTheSkyByItsShareToItsResolution) {
 }
 
 TEST(InterpolationTest, TellsNoQuarterOfTheSkyWhoseShareBendsMore) {
-    EXPECT_TRUE((Trial{before_eaves(8), 5e-4}.tells_none()));
+    EXPECT_TRUE((Trial{before_eaves(8), 2e-3}.tells_none()));
 }

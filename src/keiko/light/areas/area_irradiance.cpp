@@ -55,8 +55,7 @@ std::vector<Vec3> bounds_of(const SphereLight& light) {
     for (const double x : {-1, 1})
         for (const double y : {-1, 1})
             for (const double z : {-1, 1})
-                corners.push_back(light.center +
-                                  Vec3(x, y, z) * (std::numbers::sqrt2 * light.radius));
+                corners.push_back(light.center + Vec3(x, y, z) * light.radius);
     return corners;
 }
 

@@ -12,7 +12,8 @@ Vec3 longest_side(const PolygonLight& light);
 
 /// Corners of a convex body around a light and the lines across it that visibility is queried for.
 /// It is the rectangle around a panel along its longest side. Lines across a round outline are all
-/// as long as the longest, and so reach beyond it: bodies around round lights hold their ends.
+/// as long as the longest, and so reach beyond it: bodies around discs and ellipsoids hold their
+/// ends. A sphere has the cube around it, beyond which unlit ends of lines reach.
 std::vector<Vec3> bounds_of(const PolygonLight& light);
 std::vector<Vec3> bounds_of(const SphereLight& light);
 std::vector<Vec3> bounds_of(const DiscLight& light);

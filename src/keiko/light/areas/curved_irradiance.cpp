@@ -57,7 +57,7 @@ std::vector<Vec3> bounds_of(const FrustumLight& light) {
 std::vector<Vec3> bounds_of(const EllipsoidLight& light) {
     // A line's end is no farther from the centre than the half-diameters of the outline together.
     const double reach = std::sqrt(light.u.length2() + light.v.length2() + light.w.length2());
-    return bounds_of(SphereLight{light.center, reach / std::numbers::sqrt2});
+    return bounds_of(SphereLight{light.center, reach});
 }
 
 SphereLight sphere_around(const DiscLight& light) {

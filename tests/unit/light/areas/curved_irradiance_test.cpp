@@ -97,13 +97,14 @@ TEST(CurvedIrradiance, LinesOfAnySourceAddUpToTheClosedForm) {
 }
 
 /// Occluders are collected for a body that holds every line that is queried.
-TEST(CurvedIrradiance, BoundsHoldTheLines) {
+TEST(CurvedIrradiance, BoundsOfEllipsoidsHoldTheirLines) {
     test::Random random(31);
     int lines = 0;
-    const auto check = [&](const auto& light, const Vec3& normal) {
-        const auto width = width_of(light, Vec3(0), normal);
-        if (holds(light, Vec3(0)) || !width) return;
-        Box3 box; // of cubes, which are their bounds' hulls
+    for (int i = 0; i < 200; ++i) {
+        const EllipsoidLight light = random_ellipsoid(random);
+        const auto width = width_of(light, Vec3(0), test::random_direction(random));
+        if (holds(light, Vec3(0)) || !width) continue;
+        Box3 box; // the hull is a cube
         for (const Vec3& corner : bounds_of(light)) box.extend(corner);
         for (double place = -0.95; place < 1; place += 0.1) {
             const Segment line = width->line_of(width->sub_axis(place));
@@ -111,12 +112,6 @@ TEST(CurvedIrradiance, BoundsHoldTheLines) {
             EXPECT_TRUE(box.padded(1e-9 * box.size()).contains(line.b));
             ++lines;
         }
-    };
-    for (int i = 0; i < 100; ++i) {
-        const Vec3 normal = test::random_direction(random);
-        const EllipsoidLight ball = random_ellipsoid(random);
-        check(ball, normal);
-        check(sphere_around(ball), normal);
     }
     EXPECT_GT(lines, 1000);
 }

@@ -122,9 +122,9 @@ TEST(AreaRig, LobesOfCurvedLights) {
     const FrustumLight cone{{200, -500, 800}, {600, 300, 900}, 120, 240, Rgb(100)};
     FrustumLight first = cone, second = cone;
     first.to = second.from = Vec3(400, -100, 850), first.to_radius = second.radius = 180;
-    const double whole = lobe({cone});
-    EXPECT_GT(whole, 1);
-    EXPECT_NEAR(whole, lobe({first, second}), 1e-4 * whole);
+    const double undivided = lobe({cone});
+    EXPECT_GT(undivided, 1);
+    EXPECT_NEAR(undivided, lobe({first, second}), 1e-4 * undivided);
     const SphereLight ball{{400, -300, 900}, 350, Rgb(100)};
     const EllipsoidLight same{ball.center, {0, 350, 0}, {0, 0, 350}, {350, 0, 0}, Rgb(100)};
     EXPECT_NEAR(lobe({ball}), lobe({same}), 1e-4 * lobe({ball}));
