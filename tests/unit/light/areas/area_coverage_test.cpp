@@ -179,8 +179,8 @@ PolygonLight face(double side, double depth) {
     return {{{0, -500, depth}, {x, -500, far}, {x, 500, far}, {0, 500, depth}}, Rgb(1), true};
 }
 
-/// The edge of a box of light is as bright as its faces, wherever it cuts a pixel, but for what
-/// footprints on two planes differ by. Independent faces would leave a quarter of it dark.
+/// The edge of a box of light is as bright as its faces, wherever it cuts a pixel, to the
+/// difference of footprints on two planes. Independent faces would leave a quarter of it dark.
 TEST(RigAreas, FacesThatMeetLeaveNothingDark) {
     for (double x = -0.006; x < 0.006; x += 0.001)
         EXPECT_NEAR(dark_share({face(-1, 1000), face(1, 1000)}, {x, 0.01, 1}), 0, 3e-3) << x;
