@@ -1,5 +1,7 @@
 #include "keiko/placement/bar_rows.h"
 
+#include "keiko/math/even_pitch.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,15 +75,10 @@ void append_row(std::vector<Bar> bars, std::vector<CPlane>& rows) {
     std::sort(bars.begin(), bars.end(), [&](const Bar& a, const Bar& b) {
         return across.dot(a.middle) < across.dot(b.middle);
     });
-    const double count = static_cast<double>(bars.size());
-    const double pitch =
-        across.dot(bars.back().middle - bars.front().middle) / std::max(1.0, count - 1);
-    bool even = pitch > same_length;
-    for (std::size_t i = 1; i < bars.size(); ++i) {
-        const double step = across.dot(bars[i].middle - bars[i - 1].middle);
-        even = even && std::abs(step - pitch) < same_length;
-    }
-    if (even) return rows.push_back(row_from(bars.front(), static_cast<int>(bars.size()), pitch));
+    std::vector<double> levels;
+    for (const Bar& bar : bars) levels.push_back(across.dot(bar.middle - bars.front().middle));
+    if (const auto pitch = even_pitch(levels, same_length))
+        return rows.push_back(row_from(bars.front(), static_cast<int>(bars.size()), *pitch));
     for (const Bar& bar : bars) rows.push_back(row_from(bar, 1, bar.v.length()));
 }
 

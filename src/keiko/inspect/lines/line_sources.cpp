@@ -1,5 +1,7 @@
 #include "keiko/inspect/lines/line_sources.h"
 
+#include "keiko/math/even_pitch.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -116,13 +118,10 @@ void append_row(std::vector<PanelEdge> edges, std::vector<LineSource>& sources) 
     const auto level = [&](const PanelEdge& edge) { return across.dot(edge.side.a); };
     std::sort(edges.begin(), edges.end(),
               [&](const PanelEdge& a, const PanelEdge& b) { return level(a) < level(b); });
-    const double pitch = (level(edges.back()) - level(edges.front())) /
-                         std::max(1.0, static_cast<double>(edges.size()) - 1);
-    bool even = pitch > same_place;
-    for (std::size_t i = 1; i < edges.size(); ++i)
-        even = even && std::abs(level(edges[i]) - level(edges[i - 1]) - pitch) < same_place;
-    if (even)
-        return sources.push_back(source_of(edges.front(), static_cast<int>(edges.size()), pitch));
+    std::vector<double> levels;
+    for (const PanelEdge& edge : edges) levels.push_back(level(edge));
+    if (const auto pitch = even_pitch(levels, same_place))
+        return sources.push_back(source_of(edges.front(), static_cast<int>(edges.size()), *pitch));
     for (const PanelEdge& edge : edges) sources.push_back(source_of(edge, 1, edge.length()));
 }
 
