@@ -109,7 +109,7 @@ std::optional<AreaHit> area_hit(const SphereLight& light, const Vec3& origin, co
 std::optional<AreaHit> area_hit(const EllipsoidLight& light, const Vec3& origin,
                                 const Vec3& direction,
                                 const std::optional<RayDifferentials>& spread) {
-    if (!(light.in_sphere(origin - light.center).length() > 1)) return std::nullopt;
+    if (!light.shines_at(origin)) return std::nullopt;
     return hit_in_ellipse(light, origin, direction, spread);
 }
 

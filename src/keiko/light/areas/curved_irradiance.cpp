@@ -88,7 +88,7 @@ double projected_solid_angle(const FrustumLight& light, const Vec3& point, const
 }
 
 double projected_solid_angle(const EllipsoidLight& light, const Vec3& point, const Vec3& normal) {
-    if (!(light.in_sphere(point - light.center).length() > 1)) return 0;
+    if (!light.shines_at(point)) return 0;
     return projected_solid_angle(circular_section(outline_ellipse(light, point), point), point,
                                  normal);
 }

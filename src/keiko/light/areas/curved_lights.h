@@ -47,6 +47,8 @@ struct EllipsoidLight {
         const Vec3 vw = v.cross(w), wu = w.cross(u), uv = u.cross(v);
         return Vec3(vw.dot(way), wu.dot(way), uv.dot(way)) / vw.dot(u);
     }
+    /// True if it shows a point its surface: outside.
+    bool shines_at(const Vec3& point) const { return in_sphere(point - center).length() > 1; }
     bool operator==(const EllipsoidLight&) const = default;
 };
 

@@ -29,7 +29,7 @@ std::optional<EllipseWidth> EllipseWidth::of(const SphereLight& light, const Vec
 
 std::optional<EllipseWidth> EllipseWidth::of(const EllipsoidLight& light, const Vec3& point,
                                              const Vec3& normal) {
-    if (!(light.in_sphere(point - light.center).length() > 1)) return std::nullopt;
+    if (!light.shines_at(point)) return std::nullopt;
     return of(light, outline_ellipse(light, point), point, normal);
 }
 

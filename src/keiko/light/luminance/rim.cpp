@@ -1,5 +1,6 @@
 #include "keiko/light/luminance/rim.h"
 
+#include "keiko/math/axes.h"
 #include "keiko/math/quadrature.h"
 
 #include <cmath>
@@ -14,18 +15,14 @@ namespace {
 
 using std::numbers::pi;
 
-Vec3 any_across(const Vec3& axis) {
-    const Vec3 beside = std::abs(axis.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
-    return (beside - axis * axis.dot(beside)).normalized();
-}
-
 /// Unit vector across the axis of a disc in the direction of `level`, `aside` long. The rounding of
 /// a place `far` away may leave a short one aslant, and that of a place on the axis anything.
 Vec3 outwards_of(const Vec3& level, double aside, const Vec3& axis, double far) {
     constexpr double certain = 1e-7, nothing = 1e-14;
     if (aside > certain * far) return level / aside;
     const Vec3 straight = level - axis * axis.dot(level);
-    return straight.length() > nothing * far ? straight.normalized() : any_across(axis);
+    if (straight.length() > nothing * far) return straight.normalized();
+    return any_perpendicular(axis).normalized();
 }
 
 } // namespace
