@@ -242,7 +242,10 @@ NamedImage read_image(const fs::path& path) {
     OIIO::ImageSpec as_stored;
     as_stored.attribute("oiio:UnassociatedAlpha", 1);
     const auto input = OIIO::ImageInput::open(path.string(), &as_stored);
-    if (!input) throw Error(path.string(), "", "cannot read the picture: " + OIIO::geterror());
+    if (!input) {
+        OIIO::geterror(); // in words of the library's developers
+        throw Error(path.string(), "", "is no picture of a kind that can be read");
+    }
     return picture_of(*input, path.string());
 }
 

@@ -44,6 +44,16 @@ TexturePlace place_of(const ProjectedPlace& at, const Vec3& dx, const Vec3& dy) 
     return {Vec3(at.at.x, at.at.y, 0), change(dx), change(dy)};
 }
 
+/// The same in a panorama. Within 30 degrees of a pole both steps of a pixel run along the rows: it
+/// is as wide there as both together, up to all of a turn, and as high.
+TexturePlace lat_long_place_of(const Vec3& direction, const Vec3& dx, const Vec3& dy) {
+    const TexturePlace place = place_of(lat_long_place(direction), dx, dy);
+    const double turn = std::hypot(place.dx.x, place.dy.x);
+    const double rise = std::hypot(place.dx.y, place.dy.y);
+    if (turn < rise) return place;
+    return {place.at, Vec3(std::min(turn, 1.0), 0, 0), Vec3(0, rise, 0)};
+}
+
 /// Texels [x0, x1) x [y0, y1) of a picture.
 struct TexelBlock {
     int x0, y0, x1, y1;
@@ -120,8 +130,10 @@ void Environment::each_texel(const Visit& visit) const {
 
 Rgb Environment::luminance(const Vec3& direction, const Vec3& dx, const Vec3& dy) const {
     const Vec3 d = to_picture(direction), x = to_picture(dx), y = to_picture(dy);
+    // Beside a pole a pixel is up to all of a row wide, and must not be as high.
+    constexpr int most_lookups = 512;
     if (faces_.size() == 1)
-        return faces_[0].value(place_of(lat_long_place(d), x, y)) * spec_.luminance;
+        return faces_[0].value(lat_long_place_of(d, x, y), most_lookups) * spec_.luminance;
     const CubePlace at = cube_place(d);
     return faces_[at.face].value(place_of(at.at, x, y)) * spec_.luminance;
 }

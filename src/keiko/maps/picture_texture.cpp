@@ -105,13 +105,12 @@ Rgb PictureTexture::at_level(double level, double u, double v) const {
     return share > 0 ? fine * (1 - share) + bilinear(levels_[below + 1], u, v) * share : fine;
 }
 
-Rgb PictureTexture::value(const TexturePlace& place) const {
+Rgb PictureTexture::value(const TexturePlace& place, int most) const {
     const auto texels = [&](const Vec3& step) {
         return std::hypot(step.x * width(), step.y * height());
     };
     const double x = texels(place.dx), y = texels(place.dy);
     const Vec3& longer = x > y ? place.dx : place.dy;
-    constexpr int most = 8;
     const double wide = std::max(x, y);
     if (!(wide > 1)) return at_level(0, place.at.x, place.at.y);
     const double narrow = std::max({std::min(x, y), wide / most, 1.0});

@@ -23,10 +23,10 @@ public:
     explicit PictureTexture(const Image& image, Wrap along_u = Wrap::repeat,
                             Wrap along_v = Wrap::repeat);
 
-    /// Mean over the pixel around a place, whose x and y count: of up to 8 lookups along the
-    /// longer side of the pixel in versions that suit the shorter [Heckbert1989]. Without width it
-    /// is the bilinear value.
-    Rgb value(const TexturePlace& place) const;
+    /// Mean over the pixel around a place, whose x and y count: of up to `most` lookups along
+    /// the longer side of the pixel in versions that suit the shorter [Heckbert1989]. Without width
+    /// it is the bilinear value. `most` is at least 1; with fewer the shorter side is blurred.
+    Rgb value(const TexturePlace& place, int most = 8) const;
     /// Width and height of a texel.
     Vec2 texel() const;
     /// Number of columns and rows.

@@ -63,10 +63,11 @@ TEST(AreaTables, BadPanelsAreNamed) {
     const std::string corners = head + "[[polygon]]\ncorners = ";
     const std::string at = "bad.toml:3:11: polygon[0].corners: ";
     EXPECT_EQ(rig_error(head + "[[polygon]]\n"), "bad.toml:2:1: polygon[0]: 'corners' is missing");
-    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0]]\n"), at + "must be at least 3");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0]]\n"), at + "must be at least 3 corners");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0], [1, 1, 0]]\n"),
               at + "must be arrays of 3 numbers");
-    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n"), at + "enclose no area");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n"),
+              at + "enclose no area: they lie on a line, or sides cross");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]]\n"),
               at + "must lie in a plane");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [4, 0, 0], [1, 3, 0], [4, 2, 0]]\n"),

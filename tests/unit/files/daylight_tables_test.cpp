@@ -92,7 +92,7 @@ TEST(DaylightTables, RefuseWhatMakesNoSense) {
               "bad.toml:6:8: place.time: the sun is 18.4 d");
     const std::string no_time =
         "bad.toml:6:8: place.time: must be a date and a time with an offset, "
-        "as 2026-06-21T14:30:00+02:00";
+        "without quotes, as 2026-06-21T14:30:00+02:00";
     EXPECT_EQ(rig_error(at + "time = 2026-06-21T14:30:00\n"), no_time);
     EXPECT_EQ(rig_error(at + "time = 2026-06-21\n"), no_time);
     EXPECT_EQ(rig_error(at + "time = \"noon\"\n"), no_time);

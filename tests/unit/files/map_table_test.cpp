@@ -121,7 +121,10 @@ TEST(MapTable, RefusesWhatAMaterialOrATextureDoesNotHave) {
                   "projection = { kind = \"planar\", u = [1, 0, 0], v = [-2, 0, 0] }\n"),
               "m.toml:8:52: material[0].map[0].projection.v: must not be parallel to u");
     EXPECT_EQ(map("drives = \"gloss\"\n" + noise + "region = { corners = [[0, 0], [1, 0]] }\n"),
-              "m.toml:8:22: material[0].map[0].region.corners: must be 3 to 1000 corners");
+              "m.toml:8:22: material[0].map[0].region.corners: must be at least 3 corners");
+    EXPECT_EQ(map("drives = \"gloss\"\n" + noise +
+                  "region = { corners = [[0, 0], [4, 0], [1, 2], [3, 2]] }\n"),
+              "m.toml:8:22: material[0].map[0].region.corners: sides 2 and 4 cross each other");
     EXPECT_EQ(
         map("drives = \"gloss\"\ntexture = { kind = \"brick\", mortar = 0.6 }\n"),
         "m.toml:7:38: material[0].map[0].texture.mortar: must be thinner than a brick is wide "

@@ -65,7 +65,7 @@ TEST(SignTable, BadLegendsAreNamed) {
     EXPECT_EQ(with("[[120, 150, 2000], [140, 150, 2000], [140, 200, 2000]]"), apart);
     EXPECT_EQ(with("[[50, 50, 2000], [300, 50, 2000], [300, 450, 2000], [50, 450, 2000]]"), apart);
     EXPECT_EQ(with("[[200, 100, 2000], [400, 150, 2000], [400, 200, 2000]]"), apart) << "touches";
-    EXPECT_EQ(with("[[300, 100, 2000], [400, 100, 2000]]"), at + "must be at least 3");
+    EXPECT_EQ(with("[[300, 100, 2000], [400, 100, 2000]]"), at + "must be at least 3 corners");
     EXPECT_EQ(rig_error(head + "[[sign]]\n"), "bad.toml:2:1: sign[0]: 'corners' is missing");
     EXPECT_TRUE(rig_error(head + board + "luminance = -1\n")
                     .starts_with("bad.toml:4:13: sign[0].luminance: "));

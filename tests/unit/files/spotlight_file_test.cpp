@@ -189,7 +189,8 @@ TEST(SpotlightFile, WhatIsWrongIsNamedWithItsPlace) {
     EXPECT_EQ(rig_error(spot + "[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 0, 1]]\n"),
               "bad.toml:5:1: window: lets in no light without [sun] or [sky]");
     EXPECT_EQ(rig_error(sun + "[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 2, 0]]\n"),
-              "bad.toml:6:11: window[0].corners: enclose no area");
+              "bad.toml:6:11: window[0].corners: enclose no area: they lie on a line, or "
+              "sides cross");
     EXPECT_EQ(
         rig_error(sun + "[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 1, 1], [0.1, 0, 1]]\n"),
         "bad.toml:6:11: window[0].corners: must lie in a plane");

@@ -212,6 +212,21 @@ TEST(Environment, BlurKnowsNoPoles) {
     EXPECT_NEAR(ceiling.blurred(Vec3(std::sin(pi / 3), 0, std::cos(pi / 3)), 0.2).g, 0.5, 0.1);
 }
 
+/// A pixel of the picture is as high beside a pole as elsewhere, wide as it is there: a step eight
+/// rows below the pole is not seen at it.
+TEST(Environment, PixelsBesideThePoleAreAsHighAsElsewhere) {
+    const PictureFile file(512, 256, [](const Vec2& at) { return at.y < 8.0 / 256 ? 1.0 : 9.0; });
+    const Environment ceiling({.file = file.path()});
+    const double texel = pi / 256;
+    for (const double rows : {0.01, 0.1, 0.5, 2.0, 5.0}) {
+        const Vec3 w(std::sin(rows * texel), 0, std::cos(rows * texel));
+        for (const double turned : {0.0, 0.7}) {
+            const Vec3 x(texel * std::cos(turned), texel * std::sin(turned), 0);
+            EXPECT_NEAR(ceiling.luminance(w, x, Vec3(-x.y, x.x, 0)).g, 1, 1e-9) << rows;
+        }
+    }
+}
+
 TEST(Environment, RefusesACubeThatIsNotSaidToBeOne) {
     const PictureFile file(96, 16, [](const Vec2&) { return 2.0; });
     EXPECT_THROW(Environment({.file = file.path()}), Error);

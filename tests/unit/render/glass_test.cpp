@@ -1,4 +1,5 @@
 #include "keiko/light/glass/pane.h"
+#include "keiko/light/luminance/fresnel.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/render/shading/glass_loss.h"
 #include "keiko/render/shading/integrator.h"
@@ -123,6 +124,35 @@ TEST(Glass, TreesOfAPlateMeetTheOracle) {
         cut.min_weight = row.number("in.wmin");
         expect_near(seen_at(plate, degrees, cut), rgb(row, "out.L_weight"), 1e-9, row.id());
     }
+}
+
+/// Up through the top of a block that the camera is in, under a panel and over a black floor.
+TEST(Glass, ACameraInABlockSeesTheSkyInSnellsWindow) {
+    const double n = 1.33, depth = 50, mu = 1e-3;
+    for (const bool inwards : {false, true}) {
+        Vitrine block(box({-1e5, -1e5, -100}, {1e5, 1e5, 0}, inwards), glass(n, Rgb(mu)));
+        block.rig.sources = {wide_panel(3000, Rgb(1000))};
+        const auto seen = [&](double degrees) {
+            const double angle = degrees * pi / 180;
+            return block.along({0, 0, -depth}, {std::sin(angle), 0, std::cos(angle)}).g;
+        };
+        for (const double degrees : {0.0, 30.0, 48.0}) {
+            const double cosine = std::cos(degrees * pi / 180);
+            const double passed =
+                (1 - fresnel_dielectric(cosine, 1 / n)) * std::exp(-mu * depth / cosine);
+            EXPECT_NEAR(seen(degrees), 1000 * passed, 25) << degrees; // and what the floor mirrors
+            EXPECT_GE(seen(degrees), 1000 * passed * (1 - 1e-9)) << degrees;
+        }
+        EXPECT_EQ(seen(49), 0) << "beyond 48.75 degrees all is mirrored, and the floor is dark";
+    }
+}
+
+TEST(Glass, ACameraBeforeOrBehindABlockIsInTheAir) {
+    Vitrine block(box({-1e5, -1e5, -100}, {1e5, 1e5, 0}), glass(1.33, Rgb(0)));
+    block.rig.sources = {wide_panel(3000, Rgb(1000))};
+    const double grazing = std::sin(80 * pi / 180);
+    EXPECT_GT(block.along({0, 0, -150}, {grazing, 0, std::sqrt(1 - grazing * grazing)}).g, 100);
+    EXPECT_EQ(block.along({0, 0, 50}, {0, 0, 1}).g, 1000);
 }
 
 TEST(Glass, APaneIsThePlateThatItStandsFor) {

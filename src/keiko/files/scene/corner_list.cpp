@@ -118,11 +118,11 @@ std::vector<Vec3> corners_from(const TomlTable& table) {
 }
 
 void require_polygon(const TomlTable& table, const std::vector<Vec3>& corners) {
-    if (corners.size() < 3) throw table.error("corners", "must be at least 3");
+    if (corners.size() < 3) throw table.error("corners", "must be at least 3 corners");
     const double size = size_of(corners);
     const Vec3 normal = polygon_normal(corners);
     if (!(normal.length() > flat_enough * size * size))
-        throw table.error("corners", "enclose no area");
+        throw table.error("corners", "enclose no area: they lie on a line, or sides cross");
     for (const Vec3& corner : corners)
         if (std::abs(normal.dot(corner - corners.front())) > flat_enough * size * normal.length())
             throw table.error("corners", "must lie in a plane");
@@ -132,7 +132,8 @@ void require_ring(const TomlTable& table, const std::vector<Vec3>& corners) {
     // A limit that keeps the comparison of all parts with each other short.
     constexpr std::size_t most_corners = 1000;
     if (corners.size() > most_corners)
-        throw table.error("corners", "must be at most " + std::to_string(most_corners));
+        throw table.error("corners",
+                          "must be at most " + std::to_string(most_corners) + " corners");
     require_polygon(table, corners);
     if (const std::string fault = Ring(corners).fault(); !fault.empty())
         throw table.error("corners", fault);

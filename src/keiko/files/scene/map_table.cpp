@@ -1,6 +1,7 @@
 #include "keiko/files/scene/map_table.h"
 
 #include "keiko/base/text.h"
+#include "keiko/files/scene/rig_tables.h"
 #include "keiko/files/toml/toml_reader.h"
 
 namespace keiko {
@@ -169,7 +170,6 @@ MapProjection projection_from(const TomlTable& table) {
 }
 
 MapRegion region_from(const TomlTable& table) {
-    constexpr std::size_t most = 1000;
     MapRegion region;
     region.projection.kind = ProjectionKind::parameter;
     if (const auto projection = table.table("projection")) {
@@ -177,13 +177,14 @@ MapRegion region_from(const TomlTable& table) {
         if (region.projection.kind == ProjectionKind::solid)
             throw projection->error("kind", "a region needs a projection with two coordinates");
     }
+    std::vector<Vec3> outline;
     for (const std::vector<double>& corner :
          table.required("corners", table.lists("corners", {.low = -1e9, .high = 1e9}))) {
         if (corner.size() != 2) throw table.error("corners", "must be arrays of 2 numbers");
         region.corners.emplace_back(corner[0], corner[1]);
+        outline.emplace_back(corner[0], corner[1], 0);
     }
-    if (region.corners.size() < 3 || region.corners.size() > most)
-        throw table.error("corners", "must be 3 to 1000 corners");
+    require_ring(table, outline);
     table.finish();
     return region;
 }

@@ -143,7 +143,8 @@ std::optional<TomlDateTime> TomlTable::date_time(std::string_view key) const {
     if (!entry) return {};
     const auto* content = std::get_if<TomlDateTime>(&entry->value.content);
     if (!content || !content->offset)
-        throw mismatch(key, "a date and a time with an offset, as 2026-06-21T14:30:00+02:00");
+        throw mismatch(
+            key, "a date and a time with an offset, without quotes, as 2026-06-21T14:30:00+02:00");
     return *content;
 }
 

@@ -14,6 +14,8 @@ namespace {
 /// Error allowed in the penumbrae of a source, as a share of its illuminance: half of the error of
 /// the whole system.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
+/// The same of a quarter of the sky, as a share of its own light.
+constexpr double sky_tolerance_in_pictures = 1e-2;
 /// Widest spacing between lines of equal visibility, as a share of half a source's width, by the
 /// angle around a tube.
 constexpr double widest_spacing = 0.12, widest_spacing_in_pictures = 1;
@@ -27,6 +29,7 @@ WidthOptions width_accuracy(bool in_picture) {
 /// body's.
 WidthOptions sky_accuracy(bool in_picture) {
     WidthOptions options = width_accuracy(in_picture);
+    if (in_picture) options.tolerance = sky_tolerance_in_pictures;
     options.tapers = in_picture;
     return options;
 }

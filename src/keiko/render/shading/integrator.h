@@ -197,6 +197,8 @@ private:
     /// Adds the light of a ray's hit to the view.
     Onward shade(PathState path, const PathVertex& met, const VisibleFrom& shafts,
                  SampleBatch& view) const;
+    /// Solid glass around a place; null in the air, and in a body that is open to a side.
+    const Paint* glass_around(const Vec3& place) const;
     /// The ways on from a hit.
     /// `mapped`: its paint if the face has maps, else null.
     Onward onward(const PathState& path, const PathVertex& met, const MappedPaint* mapped) const;

@@ -4,9 +4,34 @@
 #include "keiko/light/luminance/fresnel.h"
 #include "keiko/render/shading/integrator.h"
 
+#include <array>
 #include <limits>
 
 namespace keiko {
+namespace {
+
+/// Odd ways, which do not run along the edges of upright boxes.
+const std::array<Vec3, 3> ways_out{{{0.31, 0.52, 0.8}, {-0.73, 0.19, -0.66}, {0.48, -0.87, 0.11}}};
+
+} // namespace
+
+const Paint* Integrator::glass_around(const Vec3& place) const {
+    if (!glass_.any()) return nullptr;
+    const Paint* around = nullptr;
+    for (const Vec3& way : ways_out) {
+        Ray ray;
+        ray.origin = place, ray.direction = way;
+        bool inside = false;
+        for (const Hit& hit : scene_.tracer.all(ray)) {
+            const Paint& paint = paints_[paint_of_face_[hit.face]];
+            if (!paint.glass() || paint.glass()->pane > 0) continue;
+            if (!around) around = &paint;
+            inside = !inside;
+        }
+        if (!inside) return nullptr;
+    }
+    return around;
+}
 
 Integrator::Onward Integrator::onward(const PathState& path, const PathVertex& met,
                                       const MappedPaint* mapped) const {
