@@ -1,6 +1,5 @@
 #include "keiko/raster/painter.h"
 
-#include "keiko/base/parallel.h"
 #include "keiko/raster/tile_items.h"
 
 #include <algorithm>
@@ -126,24 +125,25 @@ void paint_sorted(std::vector<PaintedPart> parts, const PixelBox& window, ItemBu
     }
 }
 
+template <class EachItem>
+void paint_tile(const EachItem& each_item, const PixelBox& window, ItemBuffer& seen) {
+    std::vector<Painted> triangles;
+    each_item([&](const ScreenItem& item) {
+        triangles.emplace_back(item, window);
+        if (triangles.back().functions.box.empty()) triangles.pop_back(); // without area
+    });
+    std::vector<PaintedPart> parts;
+    for (const Painted& triangle : triangles) parts.push_back({&triangle});
+    paint_sorted(std::move(parts), window, seen);
+}
+
 } // namespace
 
 ItemBuffer painted_triangles(const SurfaceMesh& mesh, const Camera& camera, const Job& job) {
-    const TileGrid grid{camera.width, camera.height};
-    const TileItems items(screen_items(mesh, camera, job), grid, job);
-    ItemBuffer seen(camera.width, camera.height);
-    parallel_for(grid.count(), job, "", [&](std::size_t number) {
-        const PixelBox window = grid.tile(number);
-        std::vector<Painted> triangles;
-        items.each_item(number, [&](const ScreenItem& item) {
-            triangles.emplace_back(item, window);
-            if (triangles.back().functions.box.empty()) triangles.pop_back(); // without area
-        });
-        std::vector<PaintedPart> parts;
-        for (const Painted& triangle : triangles) parts.push_back({&triangle});
-        paint_sorted(std::move(parts), window, seen);
-    });
-    return seen;
+    return drawn_by_tiles(mesh, camera, {camera.width, camera.height}, job,
+                          [](const auto& each_item, const PixelBox& window, ItemBuffer& seen) {
+                              paint_tile(each_item, window, seen);
+                          });
 }
 
 } // namespace keiko

@@ -1,16 +1,14 @@
 #include "keiko/raster/scan_line.h"
 
-#include "keiko/base/parallel.h"
-#include "keiko/raster/screen_items.h"
+#include "keiko/raster/tile_items.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace keiko {
 namespace {
-
-constexpr int band_rows = 32; // rows of a thread at a time
 
 /// Rounded down and up, for a divisor above 0.
 std::int64_t floor_of(std::int64_t a, std::int64_t b) {
@@ -69,26 +67,36 @@ private:
     int first_ = 0, last_ = -1;
 };
 
-/// Sorts by first pixels what is nearly sorted.
-void sort_spans(std::vector<ActiveTriangle>& active) {
-    for (std::size_t i = 1; i < active.size(); ++i)
-        for (std::size_t j = i; j > 0 && active[j].first() < active[j - 1].first(); --j)
-            std::swap(active[j], active[j - 1]);
+/// Spans of a row, by their first pixels.
+using SortedSpans = std::vector<ActiveTriangle*>;
+
+bool begins_before(const ActiveTriangle* a, const ActiveTriangle* b) {
+    return a->first() < b->first();
+}
+
+/// Sorts spans whose first ones are nearly sorted, and the others not.
+void sort_spans(SortedSpans& spans, std::size_t nearly) {
+    for (std::size_t i = 1; i < nearly; ++i)
+        for (std::size_t j = i; j > 0 && begins_before(spans[j], spans[j - 1]); --j)
+            std::swap(spans[j], spans[j - 1]);
+    const auto others = spans.begin() + static_cast<std::ptrdiff_t>(nearly);
+    std::stable_sort(others, spans.end(), begins_before);
+    std::inplace_merge(spans.begin(), others, spans.end(), begins_before);
 }
 
 /// Writes the row of sorted spans from left to right.
-void write_row(const std::vector<ActiveTriangle>& active, int y, ItemBuffer& seen) {
+void write_row(const SortedSpans& active, int y, ItemBuffer& seen) {
     std::vector<const ActiveTriangle*> over; // the spans at x
     std::size_t next = 0;
     for (int x = 0; x < seen.width;) {
-        while (next < active.size() && active[next].first() <= x) over.push_back(&active[next++]);
+        while (next < active.size() && active[next]->first() <= x) over.push_back(active[next++]);
         std::erase_if(over, [&](const ActiveTriangle* span) { return span->last() < x; });
         if (over.empty() && next == active.size()) return;
         if (over.empty()) {
-            x = active[next].first();
+            x = active[next]->first();
             continue;
         }
-        int end = next < active.size() ? active[next].first() : seen.width;
+        int end = next < active.size() ? active[next]->first() : seen.width;
         for (const ActiveTriangle* span : over) end = std::min(end, span->last() + 1);
         for (; x < end; ++x) {
             const ActiveTriangle* nearest = over.front();
@@ -99,19 +107,33 @@ void write_row(const std::vector<ActiveTriangle>& active, int y, ItemBuffer& see
     }
 }
 
-void scan_band(std::vector<ActiveTriangle> waiting, int first, int last, ItemBuffer& seen) {
+template <class EachItem>
+std::vector<ActiveTriangle> triangles_of(const EachItem& each_item, const PixelBox& window) {
+    std::vector<ActiveTriangle> triangles;
+    each_item([&](const ScreenItem& item) {
+        triangles.emplace_back(item, window);
+        if (triangles.back().ends_before(window.first_y)) triangles.pop_back(); // without area
+    });
+    return triangles;
+}
+
+template <class EachItem>
+void scan_band(const EachItem& each_item, const PixelBox& window, ItemBuffer& seen) {
+    std::vector<ActiveTriangle> triangles = triangles_of(each_item, window);
+    SortedSpans waiting, active;
+    for (ActiveTriangle& triangle : triangles) waiting.push_back(&triangle);
     std::stable_sort(waiting.begin(), waiting.end(),
-                     [](const ActiveTriangle& a, const ActiveTriangle& b) {
-                         return a.first_row() < b.first_row();
+                     [](const ActiveTriangle* a, const ActiveTriangle* b) {
+                         return a->first_row() < b->first_row();
                      });
-    std::vector<ActiveTriangle> active;
     std::size_t next = 0;
-    for (int y = first; y <= last; ++y) {
-        std::erase_if(active, [&](const ActiveTriangle& one) { return one.ends_before(y); });
-        for (ActiveTriangle& one : active) one.advance();
-        while (next < waiting.size() && waiting[next].first_row() == y)
+    for (int y = window.first_y; y <= window.last_y; ++y) {
+        std::erase_if(active, [&](const ActiveTriangle* one) { return one->ends_before(y); });
+        for (ActiveTriangle* one : active) one->advance();
+        const std::size_t before = active.size();
+        while (next < waiting.size() && waiting[next]->first_row() == y)
             active.push_back(waiting[next++]);
-        sort_spans(active);
+        sort_spans(active, before);
         write_row(active, y, seen);
     }
 }
@@ -119,23 +141,12 @@ void scan_band(std::vector<ActiveTriangle> waiting, int first, int last, ItemBuf
 } // namespace
 
 ItemBuffer scan_line(const SurfaceMesh& mesh, const Camera& camera, const Job& job) {
-    const ScreenItems items = screen_items(mesh, camera, job);
-    ItemBuffer seen(camera.width, camera.height);
-    const int bands = (camera.height + band_rows - 1) / band_rows;
-    parallel_for(static_cast<std::size_t>(bands), job, "", [&](std::size_t band) {
-        const int first = static_cast<int>(band) * band_rows;
-        const int last = std::min(first + band_rows, camera.height) - 1;
-        const PixelBox window{0, first, camera.width - 1, last};
-        std::vector<ActiveTriangle> met;
-        for (const std::vector<ScreenItem>& chunk : items)
-            for (const ScreenItem& item : chunk)
-                if (!pixels_of(item.at).within(window).empty()) {
-                    met.emplace_back(item, window);
-                    if (met.back().ends_before(first)) met.pop_back(); // without area
-                }
-        scan_band(std::move(met), first, last, seen);
-    });
-    return seen;
+    // Bands of 32 rows, as wide as any picture.
+    const TileGrid bands{camera.width, camera.height, 20, 5};
+    return drawn_by_tiles(mesh, camera, bands, job,
+                          [](const auto& each_item, const PixelBox& window, ItemBuffer& seen) {
+                              scan_band(each_item, window, seen);
+                          });
 }
 
 } // namespace keiko

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "keiko/base/job.h"
+#include "keiko/base/parallel.h"
+#include "keiko/raster/item_buffer.h"
 #include "keiko/raster/screen_items.h"
 
 #include <cstddef>
@@ -9,14 +11,15 @@
 
 namespace keiko {
 
-/// Pixels along a side of a tile: depths of a tile fit a processor's first cache.
-constexpr int tile_side = 64;
-
-/// The tiles of a picture, row by row.
+/// The tiles of a picture, row by row. Their sides are powers of two, so that the tile of a pixel
+/// is found by shifts.
 struct TileGrid {
-    int width = 0, height = 0;                         ///< pixels of the picture
-    int columns = (width + tile_side - 1) / tile_side; ///< tiles in a row
-    int rows = (height + tile_side - 1) / tile_side;   ///< rows of tiles
+    int width = 0, height = 0; ///< pixels of the picture
+    /// Binary logarithms of the pixels along the sides of a tile. Depths of a tile of 64 x 64 fit a
+    /// processor's first cache.
+    int width_bits = 6, height_bits = 6;
+    int columns = ((width - 1) >> width_bits) + 1; ///< tiles in a row
+    int rows = ((height - 1) >> height_bits) + 1;  ///< rows of tiles
 
     /// Number of tiles.
     std::size_t count() const {
@@ -26,15 +29,16 @@ struct TileGrid {
     PixelBox picture() const { return {0, 0, width - 1, height - 1}; }
     /// The pixels of a tile.
     PixelBox tile(std::size_t number) const {
-        const int x = static_cast<int>(number) % columns * tile_side;
-        const int y = static_cast<int>(number) / columns * tile_side;
-        return PixelBox{x, y, x + tile_side - 1, y + tile_side - 1}.within(picture());
+        const int x = (static_cast<int>(number) % columns) << width_bits;
+        const int y = (static_cast<int>(number) / columns) << height_bits;
+        return PixelBox{x, y, x + (1 << width_bits) - 1, y + (1 << height_bits) - 1}.within(
+            picture());
     }
     /// Calls `visit` for the numbers of the tiles that a box of pixels meets.
     template <class Visit>
     void each_tile(const PixelBox& box, const Visit& visit) const {
-        for (int y = box.first_y / tile_side; y <= box.last_y / tile_side; ++y)
-            for (int x = box.first_x / tile_side; x <= box.last_x / tile_side; ++x)
+        for (int y = box.first_y >> height_bits; y <= box.last_y >> height_bits; ++y)
+            for (int x = box.first_x >> width_bits; x <= box.last_x >> width_bits; ++x)
                 visit(static_cast<std::size_t>(y * columns + x));
     }
 };
@@ -65,5 +69,19 @@ private:
 
     std::vector<Chunk> chunks_;
 };
+
+/// What the pixels of a picture show of a mesh, found tile by tile on several threads.
+/// `draw`(each_item, window, seen) writes the pixels of a tile; each_item(visit) calls `visit` for
+/// the items that meet it, in the order of the mesh. Throws Cancelled.
+template <class Draw>
+ItemBuffer drawn_by_tiles(const SurfaceMesh& mesh, const Camera& camera, const TileGrid& grid,
+                          const Job& job, const Draw& draw) {
+    const TileItems items(screen_items(mesh, camera, job), grid, job);
+    ItemBuffer seen(camera.width, camera.height);
+    parallel_for(grid.count(), job, "", [&](std::size_t tile) {
+        draw([&](const auto& visit) { items.each_item(tile, visit); }, grid.tile(tile), seen);
+    });
+    return seen;
+}
 
 } // namespace keiko
