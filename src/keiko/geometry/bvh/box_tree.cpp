@@ -50,20 +50,12 @@ std::uint32_t BoxTree::build(std::uint32_t first, std::uint32_t count) {
 }
 
 std::vector<std::uint32_t> BoxTree::overlapping(const Box3& box) const {
-    std::vector<std::uint32_t> found, todo;
-    if (!nodes_.empty()) todo.push_back(0);
-    while (!todo.empty()) {
-        const std::uint32_t index = todo.back();
-        const Node& node = nodes_[index];
-        todo.pop_back();
-        if (!node.box.overlaps(box)) continue;
-        if (node.right != 0) {
-            todo.insert(todo.end(), {node.right, index + 1});
-            continue;
-        }
-        for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
-            if (boxes_[order_[k]].overlaps(box)) found.push_back(order_[k]);
-    }
+    std::vector<std::uint32_t> found;
+    any_of([&](const Box3& other) { return other.overlaps(box); },
+           [&](std::uint32_t number) {
+               found.push_back(number);
+               return false;
+           });
     std::sort(found.begin(), found.end());
     return found;
 }

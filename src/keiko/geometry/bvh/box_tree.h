@@ -22,6 +22,26 @@ public:
     /// the radius for the following ones.
     void visit_near(const Vec3& p, double radius,
                     const std::function<double(std::uint32_t)>& visit) const;
+    /// Calls `visit` with the boxes that `meets`(box) is true for, which then must be true for every
+    /// box around them. Ends with true once `visit` returns true.
+    template <class Meets, class Visit>
+    bool any_of(const Meets& meets, const Visit& visit) const {
+        std::vector<std::uint32_t> todo;
+        if (!nodes_.empty()) todo.push_back(0);
+        while (!todo.empty()) {
+            const std::uint32_t index = todo.back();
+            const Node& node = nodes_[index];
+            todo.pop_back();
+            if (!meets(node.box)) continue;
+            if (node.right != 0) {
+                todo.insert(todo.end(), {node.right, index + 1});
+                continue;
+            }
+            for (std::uint32_t k = node.first; k < node.first + node.count; ++k)
+                if (meets(boxes_[order_[k]]) && visit(order_[k])) return true;
+        }
+        return false;
+    }
 
 private:
     struct Node {
