@@ -24,4 +24,15 @@ enum class HiddenSurfaces {
     painter    ///< by priority, from the back to the front [Fuchs1980]
 };
 
+/// Algorithms that find the pixels of a mesh in the shadow of a light without extent. They find the
+/// same but at edges of shadows; `map` is off by its own pixels there.
+enum class MeshShadows {
+    none,      ///< no shadows
+    ray,       ///< by rays to the light [Appel1968]
+    scan_line, ///< by edges projected onto the spans of rows [BouknightKelley1970]
+    map,       ///< by what the light sees, in two stages [Williams1978]
+    polygons,  ///< by the shadows that triangles cast on each other, as polygons [Atherton1978]
+    volumes    ///< by the sides of the shadowed space before each pixel [Crow1977]
+};
+
 } // namespace keiko
