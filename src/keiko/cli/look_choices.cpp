@@ -33,6 +33,14 @@ void require_mode(bool suits, bool given, const char* option, const char* modes)
     if (given && !suits) throw Error("", option, std::string("is for ") + modes);
 }
 
+MeshShadows shadows_by_name(const std::string& name) {
+    if (name == "ray") return MeshShadows::ray;
+    if (name == "scan-line") return MeshShadows::scan_line;
+    if (name == "map") return MeshShadows::map;
+    if (name == "polygons") return MeshShadows::polygons;
+    return name == "volumes" ? MeshShadows::volumes : MeshShadows::none;
+}
+
 /// Range for full colours at `full`.
 ValueRange range_to(AnalysisMode look, double full) {
     return {look == AnalysisMode::absolute ? 0 : -full, full};
@@ -62,13 +70,17 @@ std::optional<ChosenMode> RenderArguments::look() const {
 
 std::optional<MeshLook> RenderArguments::mesh_look() const {
     const auto shading = mesh_shading_from(look_);
-    const bool chosen = stated_hidden_ && stated_hidden_->count() > 0;
+    const auto stated = [](const CLI::Option* option) { return option && option->count() > 0; };
     require_mode(shading.has_value(), mesh_.has_value(), "--mesh", "--look mesh:...");
-    require_mode(shading.has_value(), chosen, "--hidden-surfaces", "--look mesh:...");
+    require_mode(shading.has_value(), stated(stated_hidden_), "--hidden-surfaces",
+                 "--look mesh:...");
+    require_mode(shading.has_value(), stated(stated_mesh_shadows_), "--mesh-shadows",
+                 "--look mesh:...");
     if (!shading) return std::nullopt;
     MeshLook look{*shading};
     if (hidden_surfaces_ == "scan-line") look.hidden_surfaces = HiddenSurfaces::scan_line;
     if (hidden_surfaces_ == "painter") look.hidden_surfaces = HiddenSurfaces::painter;
+    look.shadows = shadows_by_name(mesh_shadows_);
     look.mesh.deviation = mesh_.value_or(look.mesh.deviation);
     look.mesh.load = load_options(scene);
     return look;

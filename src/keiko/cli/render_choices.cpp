@@ -136,8 +136,9 @@ std::string RenderArguments::key() const {
     settings << std::setprecision(17) << options.material << '\n'
              << options.clipping_only << options.shadows << false_color << iso_lines << '\n'
              << light_error << ' ' << edge_samples << ' ' << eye_distance_ << '\n';
-    for (const std::string& text : {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_,
-                                    tone_, look_, pull_, section_, stereo_, hidden_surfaces_})
+    for (const std::string& text :
+         {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_, tone_, look_, pull_,
+          section_, stereo_, hidden_surfaces_, mesh_shadows_})
         settings << text << '\n';
     for (const std::optional<double>& number : {ev_, draft_, radius_, screen_distance_, mesh_}) {
         if (number) settings << *number;

@@ -139,6 +139,15 @@ void RenderArguments::add_looks(CLI::App& command) {
             ->check(CLI::IsMember({"z-buffer", "scan-line", "painter"}))
             ->option_text("NAME")
             ->capture_default_str();
+    stated_mesh_shadows_ =
+        command
+            .add_option("--mesh-shadows", mesh_shadows_,
+                        "of --look mesh:...: algorithm that finds the shadows of the mesh, ray, "
+                        "scan-line, map, polygons or volumes; the same but at edges. Of points, "
+                        "the sun, panels and spheres")
+            ->check(CLI::IsMember({"none", "ray", "scan-line", "map", "polygons", "volumes"}))
+            ->option_text("NAME")
+            ->capture_default_str();
     command.add_option("--radius", radius_, "of --look below-radius: mm, which needs it")
         ->check(number_between(1e-6, 1e6));
 }

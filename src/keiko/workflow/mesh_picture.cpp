@@ -4,9 +4,11 @@
 #include "keiko/base/job_steps.h"
 #include "keiko/base/parallel.h"
 #include "keiko/base/text.h"
+#include "keiko/geometry/bezier/bezier.h"
 #include "keiko/raster/mesh_shading.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/workflow/hidden_faces.h"
+#include "keiko/workflow/mesh_light_shares.h"
 
 #include <algorithm>
 #include <array>
@@ -42,24 +44,50 @@ public:
 
     /// cd/m2 that a place of the mesh sends to the eye.
     Rgb of(const ShadedPlace& lit) const {
-        ShadingPoint point;
-        point.place = {lit.place.position, lit.place.normal,
-                       paint_of_triangle_[lit.place.triangle]};
-        point.eye = lit.eye;
-        return integrator_.luminance(point, lit.mirrored);
+        return integrator_.luminance(shading_point(lit), lit.mirrored);
+    }
+    /// cd/m2 of it by a source that is one light.
+    Rgb of_source(const ShadedPlace& lit, std::size_t source) const {
+        return by_source(shading_point(lit), source);
     }
     /// cd/m2 along a camera ray that meets no triangle.
     Rgb beside(const Ray& ray) const {
         return integrator_.follow(std::span(&ray, 1)).samples.front().luminance;
     }
+    /// cd/m2 of it by a source that is one light, on the first surface.
+    Rgb beside_by_source(const Ray& ray, std::size_t source) const {
+        Rgb sum;
+        for (const ShadingPoint& point : integrator_.view(Rays{ray}).points)
+            if (point.branch == 0) sum += point.weight * by_source(point, source);
+        return sum;
+    }
 
 private:
+    ShadingPoint shading_point(const ShadedPlace& lit) const {
+        ShadingPoint point;
+        point.place = {lit.place.position, lit.place.normal,
+                       paint_of_triangle_[lit.place.triangle]};
+        point.eye = lit.eye;
+        return point;
+    }
+    Rgb by_source(const ShadingPoint& point, std::size_t source) const {
+        const std::array lights{LightId{source, 0}};
+        return integrator_.luminance(
+            point,
+            integrator_.direct_light(point, lights, integrator_.light_visibility(point, lights))
+                .front());
+    }
+
     Tracer rest_; ///< of the scene
     PictureScene picture_;
     PictureOptions options_;
     Integrator integrator_;
     std::vector<std::uint32_t> paint_of_triangle_;
 };
+
+std::array<float, 3> channels_of(const Rgb& color) {
+    return {static_cast<float>(color.r), static_cast<float>(color.g), static_cast<float>(color.b)};
+}
 
 /// Fills the pixels of a film that show no triangle, and its alpha.
 void add_surroundings(Film& film, const MeshView& view, const MeshLight& light, const Job& job) {
@@ -70,10 +98,49 @@ void add_surroundings(Film& film, const MeshView& view, const MeshLight& light, 
             const bool covered = items.at(x, y) != no_index;
             *film.alpha.pixel(x, y) = covered ? 1.0F : 0.0F;
             if (covered) continue;
-            const Rgb seen = light.beside(view.camera().ray(x + 0.5, y + 0.5));
-            const std::array<double, 3> channels{seen.r, seen.g, seen.b};
-            std::transform(channels.begin(), channels.end(), film.color.pixel(x, y),
-                           [](double value) { return static_cast<float>(value); });
+            const auto seen = channels_of(light.beside(view.camera().ray(x + 0.5, y + 0.5)));
+            std::copy(seen.begin(), seen.end(), film.color.pixel(x, y));
+        }
+    });
+}
+
+/// A mesh with the triangles of the scene's ground, of face 0.
+SurfaceMesh on_ground(SurfaceMesh mesh, const Scene& scene) {
+    if (!scene.ground()) return mesh;
+    const SurfaceModel plane = ground_plane(*scene.ground(), scene.tracer.bounds());
+    for (std::uint32_t p = 0; p < plane.patches.size(); ++p) {
+        const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+        for (const Vec2& uv : {Vec2(0, 0), Vec2(1, 0), Vec2(1, 1), Vec2(0, 1)}) {
+            mesh.positions.push_back(evaluate(plane.patch(p), uv, 0).position());
+            mesh.normals.emplace_back(0, 0, 1);
+        }
+        mesh.triangles.push_back({first, first + 1, first + 2});
+        mesh.triangles.push_back({first, first + 2, first + 3});
+        mesh.faces.insert(mesh.faces.end(), 2, 0);
+    }
+    return mesh;
+}
+
+/// Takes the light from a film that does not reach its pixels.
+void take_shaded(Film& film, const MeshView& view, const MeshLight& light, MeshShading shading,
+                 const MeshLightShare& shaded, const Job& job) {
+    const auto of_source = [&](const ShadedPlace& lit) {
+        return light.of_source(lit, shaded.source);
+    };
+    Image by_source = shaded_mesh(view, shading, of_source, job);
+    parallel_for(static_cast<std::size_t>(by_source.height), job, "", [&](std::size_t row) {
+        const auto y = static_cast<int>(row);
+        for (int x = 0; x < by_source.width; ++x) {
+            const float taken = 1 - *shaded.share.pixel(x, y);
+            if (!(taken > 0)) continue;
+            float* all = film.color.pixel(x, y);
+            std::array<float, 3> own{};
+            if (view.items().at(x, y) != no_index)
+                std::copy_n(by_source.pixel(x, y), 3, own.begin());
+            else
+                own = channels_of(
+                    light.beside_by_source(view.camera().ray(x + 0.5, y + 0.5), shaded.source));
+            for (std::size_t i = 0; i < 3; ++i) all[i] = std::max(all[i] - taken * own[i], 0.0F);
         }
     });
 }
@@ -120,6 +187,11 @@ Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera, co
         Image(camera.width, camera.height, 1),
         {}};
     add_surroundings(film, view, light, to_shade);
+    if (look.shadows == MeshShadows::none) return film;
+    const SurfaceMesh grounded = on_ground(triangles, scene);
+    for (const MeshLightShare& shaded :
+         mesh_light_shares(rig, grounded, camera, look.shadows, to_shade))
+        take_shaded(film, view, light, look.shading, shaded, to_shade);
     return film;
 }
 
