@@ -136,6 +136,14 @@ void add_raster(CLI::App& app, RasterOptions& options) {
     add_markdown(*raster, options.markdown);
 }
 
+void add_hidden(CLI::App& app, HiddenOptions& options) {
+    CLI::App* hidden = app.add_subcommand(
+        "hidden", "hidden surfaces and shadows of spheres that pierce each other, by all classes");
+    hidden->add_option("--plot", options.plot, "SVG file of cost and memory");
+    hidden->add_flag("--brief", options.brief, "smallest sizes alone: whether it runs");
+    add_markdown(*hidden, options.markdown);
+}
+
 void add_inspect(CLI::App& app, InspectBenchmarkOptions& options) {
     CLI::App* inspect = app.add_subcommand(
         "inspect", "processor time of keiko inspect by stage, beside OpenCASCADE's meshing");
@@ -163,6 +171,7 @@ Command parse_command_line(int argc, char** argv) {
     add_frames(app, command.frames);
     add_inspect(app, command.inspect);
     add_raster(app, command.raster);
+    add_hidden(app, command.hidden);
     CLI::App* picture = app.add_subcommand(
         "picture", "the same stripes from meshes and from the surface, side by side");
     command.picture.output = test::repository("docs/images/mesh-or-surface.png");
@@ -191,6 +200,7 @@ Command parse_command_line(int argc, char** argv) {
                     : app.got_subcommand("frames")   ? Group::frames
                     : app.got_subcommand("inspect")  ? Group::inspect
                     : app.got_subcommand("raster")   ? Group::raster
+                    : app.got_subcommand("hidden")   ? Group::hidden
                                                      : Group::trace;
     return command;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "tests/bench/frame_benchmark.h"
+#include "tests/bench/hidden_benchmark.h"
 #include "tests/bench/inspect_benchmark.h"
 #include "tests/bench/load_benchmark.h"
 #include "tests/bench/panel_benchmark.h"
@@ -53,6 +54,7 @@ enum class Group {
     frames,
     inspect,
     raster,
+    hidden,
     help
 };
 
@@ -69,6 +71,7 @@ struct Command {
     FrameOptions frames{};
     InspectBenchmarkOptions inspect{};
     RasterOptions raster{};
+    HiddenOptions hidden{};
     int exit_code = 0; ///< of help and usage errors
 };
 

@@ -2,10 +2,13 @@
 
 #include "tests/bench/command_line.h"
 #include "tests/bench/cut_shaft.h"
+#include "tests/bench/hidden_benchmark.h"
 #include "tests/bench/markdown.h"
 #include "tests/bench/mesh_or_surface.h"
+#include "tests/bench/peer_rays.h"
 #include "tests/bench/raster_benchmark.h"
 #include "tests/bench/results_json.h"
+#include "tests/bench/shadow_benchmark.h"
 #include "tests/bench/shafts_benchmark.h"
 #include "tests/bench/targets.h"
 #include "tests/bench/three_lights.h"
@@ -102,6 +105,21 @@ void raster(const RasterOptions& options) {
     if (!options.markdown.empty()) update_page(options.markdown, "raster", markdown_of(table));
 }
 
+void hidden(const HiddenOptions& options) {
+    std::string page;
+    const auto add = [&](const Table& table) {
+        print(text_of(table) + "\n");
+        page += markdown_of(table) + "\n";
+    };
+    const std::vector<HiddenSeries> series = run_hidden_benchmark(options);
+    add(hidden_table(series));
+    add(peer_ray_table(options.brief));
+    add(thread_table(options.brief));
+    add(shadow_table(options.brief));
+    if (!options.plot.empty()) write_svg(options.plot, hidden_plots(series));
+    if (!options.markdown.empty()) update_page(options.markdown, "hidden", page);
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
@@ -141,6 +159,9 @@ int main(int argc, char** argv) {
                 return 0;
             case Group::raster:
                 raster(command.raster);
+                return 0;
+            case Group::hidden:
+                hidden(command.hidden);
                 return 0;
             case Group::help:
                 return command.exit_code;
