@@ -1,8 +1,12 @@
 """keiko mesh-error, and the meshes that keiko render shows."""
 import json
+import sys
 import unittest
 
 from keiko_process import SOURCE, KeikoTest, surface
+
+sys.path.append(str(SOURCE / "tests"))
+from png_file import read_png  # noqa: E402
 
 SCHEMA = json.loads((SOURCE / "docs" / "schema" / "keiko-mesh-error.schema.json").read_text())
 DENT = surface("dent.step")
@@ -103,11 +107,36 @@ class MeshLook(MeshTest):
                     for by in ("z-buffer", "scan-line", "painter")}
         self.assertEqual(len(pictures), 1)
 
+    def test_shadows_are_those_of_the_surface_by_every_algorithm(self):
+        ball = surface("rational-sphere.step")
+        (self.folder / "scene.toml").write_text(
+            f'format = "keiko-scene/1"\nambient = 2000\n[[model]]\nfile = "{ball}"\nmaterial = "concrete"\n'
+            '[ground]\nz = -140\nmaterial = "concrete"\n[sun]\ndirection = [-1, 0.5, -1.5]\nilluminance = 50000\n'
+            '[camera]\neye = [900, 500, 500]\ntarget = [-60, 20, -60]\nvertical_fov = 30\nsize = [120, 80]\n')
+        fixed = ("render", "scene.toml", "--ev", "12", "-q", "-o", "picture.png")
+
+        def samples(*arguments: str) -> bytes:
+            self.succeed(*fixed, *arguments)
+            return read_png(self.folder / "picture.png")[3]
+
+        def unlike(one: bytes, other: bytes) -> int:
+            return sum(abs(a - b) > 8 for a, b in zip(one, other))
+
+        exact = samples("--shadows", "--edge-samples", "1")
+        bare = samples("--look", "mesh:phong", "--mesh", "0.05")
+        shaded = {by: samples("--look", "mesh:phong", "--mesh", "0.05", "--mesh-shadows", by)
+                  for by in ("none", "ray", "scan-line", "map", "polygons", "volumes")}
+        self.assertEqual(bare, shaded.pop("none"))
+        for by, picture in shaded.items():
+            self.assertGreater(unlike(bare, picture), len(exact) // 80, by)
+            self.assertLess(unlike(exact, picture), len(exact) // 200, by)
+
     def test_refuses_what_meshes_do_not_have(self):
         for wrong, named in ((("--look", "mesh:flat"), "mesh:constant, mesh:gouraud, mesh:phong"),
                              (("--look", "mesh:phong", "--shadows"), "--shadows"),
                              (("--look", "zebra", "--mesh", "1"), "--mesh"),
-                             (("--hidden-surfaces", "scan-line"), "--hidden-surfaces")):
+                             (("--hidden-surfaces", "scan-line"), "--hidden-surfaces"),
+                             (("--mesh-shadows", "ray"), "--mesh-shadows")):
             self.refuse("render", DENT, *SMALL, "-o", "picture.png", *wrong, mentioning=named)
 
 

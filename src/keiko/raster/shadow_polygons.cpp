@@ -4,7 +4,8 @@
 #include "keiko/raster/lit_pixels.h"
 
 #include <algorithm>
-#include <array>
+#include <cstddef>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -14,19 +15,28 @@ namespace {
 using ShadowPolygon = std::vector<Vec3>;
 
 /// Pixels that show triangles, sorted by these.
-struct SortedPixels {
-    std::vector<std::size_t> begin; ///< a triangle: its first in `pixels`; one more
-    std::vector<std::size_t> pixels;
-
-    SortedPixels(const ItemBuffer& items, std::size_t triangles) : begin(triangles + 1) {
+class SortedPixels {
+public:
+    SortedPixels(const ItemBuffer& items, std::size_t triangles) : begin_(triangles + 1) {
         for (const std::uint32_t triangle : items.shown)
-            if (triangle != no_index) ++begin[triangle + 1];
-        for (std::size_t t = 0; t < triangles; ++t) begin[t + 1] += begin[t];
-        pixels.resize(begin.back());
-        std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+            if (triangle != no_index) ++begin_[triangle + 1];
+        for (std::size_t t = 0; t < triangles; ++t) begin_[t + 1] += begin_[t];
+        pixels_.resize(begin_.back());
+        std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
         for (std::size_t pixel = 0; pixel < items.shown.size(); ++pixel)
-            if (items.shown[pixel] != no_index) pixels[next[items.shown[pixel]]++] = pixel;
+            if (const std::uint32_t triangle = items.shown[pixel]; triangle != no_index)
+                pixels_[next[triangle]++] = pixel;
     }
+
+    /// Those of a triangle.
+    std::span<const std::size_t> of(std::size_t triangle) const {
+        return std::span(pixels_).subspan(begin_[triangle],
+                                          begin_[triangle + 1] - begin_[triangle]);
+    }
+
+private:
+    std::vector<std::size_t> begin_; ///< a triangle: its first in `pixels_`; one more
+    std::vector<std::size_t> pixels_;
 };
 
 /// True for a place in a convex polygon of either sense.
@@ -53,6 +63,22 @@ std::vector<ShadowPolygon> shadows_on(const LightPyramid& pyramid, const ShadowC
     return shadows;
 }
 
+/// Lights the pixels of a triangle.
+void light_pixels(const MeshView& view, const ShadowCasters& casters, const Viewpoint& light,
+                  std::uint32_t triangle, std::span<const std::size_t> pixels, Image& lit) {
+    const LightPyramid pyramid(view.corners(triangle), light, casters.rounding());
+    if (!pyramid.lights() || !faces_light(view, triangle, light)) return;
+    const std::vector<ShadowPolygon> shadows = shadows_on(pyramid, casters, triangle);
+    for (const std::size_t number : pixels) {
+        const auto pixel = static_cast<int>(number);
+        const int x = pixel % lit.width, y = pixel / lit.width;
+        const Vec3 shares = view.at(x, y)->weights;
+        const bool dark = std::any_of(shadows.begin(), shadows.end(),
+                                      [&](const auto& shadow) { return holds(shadow, shares); });
+        *lit.pixel(x, y) = dark ? 0.0F : 1.0F;
+    }
+}
+
 } // namespace
 
 Image lit_by_polygons(const MeshView& view, const ShadowCasters& casters, const Viewpoint& light,
@@ -61,25 +87,11 @@ Image lit_by_polygons(const MeshView& view, const ShadowCasters& casters, const 
     const std::size_t triangles = view.mesh().triangles.size();
     const SortedPixels sorted(items, triangles);
     Image lit(items.width, items.height, 1);
-    const auto light_triangle = [&](std::uint32_t t) {
-        const LightPyramid pyramid(view.corners(t), light, casters.rounding());
-        if (!pyramid.lights() || !faces_light(view, t, light)) return;
-        const std::vector<ShadowPolygon> shadows = shadows_on(pyramid, casters, t);
-        for (std::size_t i = sorted.begin[t]; i < sorted.begin[t + 1]; ++i) {
-            const auto pixel = static_cast<int>(sorted.pixels[i]);
-            const int x = pixel % items.width, y = pixel / items.width;
-            const Vec3 shares = view.at(x, y)->weights;
-            const bool dark = std::any_of(shadows.begin(), shadows.end(), [&](const auto& shadow) {
-                return holds(shadow, shares);
-            });
-            *lit.pixel(x, y) = dark ? 0.0F : 1.0F;
-        }
-    };
     constexpr std::size_t chunk = 64;
     parallel_for((triangles + chunk - 1) / chunk, job, "shadows", [&](std::size_t c) {
         for (std::size_t t = c * chunk; t < std::min(triangles, (c + 1) * chunk); ++t)
-            if (sorted.begin[t] < sorted.begin[t + 1])
-                light_triangle(static_cast<std::uint32_t>(t));
+            if (const auto pixels = sorted.of(t); !pixels.empty())
+                light_pixels(view, casters, light, static_cast<std::uint32_t>(t), pixels, lit);
     });
     return lit;
 }

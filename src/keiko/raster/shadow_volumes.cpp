@@ -93,8 +93,9 @@ ShadowSides shadow_sides(const ShadowCasters& casters, const Viewpoint& light, d
 
 /// mm that sides must be long to end where no line of sight comes. Ends of a side are on the far
 /// side of the ball around all that is seen by 20 times its radius, as it may be wide.
-double length_of_sides(const MeshView& view, const Box3& bounds) {
-    Box3 all = bounds;
+double length_of_sides(const MeshView& view) {
+    Box3 all;
+    for (const Vec3& position : view.mesh().positions) all.extend(position);
     all.extend(view.camera().eye);
     return 20 * all.size();
 }
@@ -119,31 +120,41 @@ private:
     int of_eye_ = 0;
 };
 
+/// Layers that the sides before each place of a tile add.
+void add_sides(const TileItems& standing, const ShadowSides& sides, std::size_t tile,
+               const DepthTile& depths, Image& layers) {
+    standing.each_item(tile, [&](const ScreenItem& item) {
+        const bool clockwise = doubled_area(item.at[0], item.at[1], item.at[2]) > 0;
+        const int own = sides.layers[item.triangle];
+        const auto entered = static_cast<float>(clockwise ? own : -own);
+        scan_triangle(item.at, depths.window(), [&](int x, int y, double nearness) {
+            if (nearness > depths.nearness(x, y)) *layers.pixel(x, y) += entered;
+        });
+    });
+}
+
+/// Layers that all sides before the place in each pixel add.
+Image added_layers(const MeshView& view, const ShadowSides& sides, const Job& job) {
+    const Camera& camera = view.camera();
+    const TileGrid grid{camera.width, camera.height};
+    const TileItems seen(screen_items(view.mesh(), camera, job), grid, job);
+    const TileItems standing(screen_items(sides.mesh, camera, job), grid, job);
+    Image layers(camera.width, camera.height, 1);
+    parallel_for(grid.count(), job, "shadows", [&](std::size_t tile) {
+        DepthTile depths(grid.tile(tile));
+        seen.each_item(tile, [&](const ScreenItem& item) { depths.add(item.at, [](int, int) {}); });
+        add_sides(standing, sides, tile, depths, layers);
+    });
+    return layers;
+}
+
 } // namespace
 
 Image lit_by_volumes(const MeshView& view, const ShadowCasters& casters, const Viewpoint& light,
                      const Job& job) {
-    const Camera& camera = view.camera();
-    const ShadowSides sides = shadow_sides(casters, light, length_of_sides(view, casters.bounds()));
-    const TileGrid grid{camera.width, camera.height};
-    const TileItems seen(screen_items(view.mesh(), camera, job), grid, job);
-    const TileItems standing(screen_items(sides.mesh, camera, job), grid, job);
+    const ShadowSides sides = shadow_sides(casters, light, length_of_sides(view));
+    const Image layers = added_layers(view, sides, job);
     const StartLayers start(view, casters, light);
-    Image layers(camera.width, camera.height, 1);
-    parallel_for(grid.count(), job, "shadows", [&](std::size_t number) {
-        DepthTile depths(grid.tile(number));
-        seen.each_item(number,
-                       [&](const ScreenItem& item) { depths.add(item.at, [](int, int) {}); });
-        standing.each_item(number, [&](const ScreenItem& item) {
-            const bool clockwise = doubled_area(item.at[0], item.at[1], item.at[2]) > 0;
-            const int entered =
-                clockwise ? sides.layers[item.triangle] : -sides.layers[item.triangle];
-            scan_triangle(item.at, depths.window(), [&](int x, int y, double nearness) {
-                if (nearness > depths.nearness(x, y))
-                    *layers.pixel(x, y) += static_cast<float>(entered);
-            });
-        });
-    });
     return lit_pixels_where(view, light, job, [&](const MeshPlace&, int x, int y) {
         return start.at(x, y) + static_cast<int>(*layers.pixel(x, y)) <= 0;
     });

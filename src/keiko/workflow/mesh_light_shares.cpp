@@ -69,11 +69,9 @@ struct ShareOf {
 
 } // namespace
 
-std::vector<MeshLightShare> mesh_light_shares(const LightRig& rig, const SurfaceMesh& mesh,
-                                              const Camera& camera, MeshShadows by,
+std::vector<MeshLightShare> mesh_light_shares(const LightRig& rig, const MeshView& view,
+                                              const ShadowCasters& casters, MeshShadows by,
                                               const Job& job) {
-    const MeshView view(mesh, camera, job);
-    const ShadowCasters casters(mesh);
     std::vector<MeshLightShare> shares;
     for (std::size_t i = 0; i < rig.sources.size(); ++i)
         if (auto share = std::visit(ShareOf{view, casters, by, job}, rig.sources[i]))

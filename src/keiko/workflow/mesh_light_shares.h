@@ -2,10 +2,10 @@
 
 #include "keiko/base/job.h"
 #include "keiko/film/film.h"
-#include "keiko/geometry/model/surface_mesh.h"
 #include "keiko/light/rig/light_rig.h"
+#include "keiko/raster/mesh_view.h"
 #include "keiko/raster/shading_rule.h"
-#include "keiko/scene/camera.h"
+#include "keiko/raster/shadow_casters.h"
 
 #include <cstddef>
 #include <vector>
@@ -20,9 +20,9 @@ struct MeshLightShare {
 
 /// Shares of the lights of a rig that cast shadows of meshes: lights at points and the sun by the
 /// algorithm asked for, panels by it from many points, spheres by cones. Those of other kinds cast
-/// none. `mesh` both casts and receives them. Throws Cancelled.
-std::vector<MeshLightShare> mesh_light_shares(const LightRig& rig, const SurfaceMesh& mesh,
-                                              const Camera& camera, MeshShadows by,
+/// none. `casters` as for lit_pixels(). Throws Cancelled.
+std::vector<MeshLightShare> mesh_light_shares(const LightRig& rig, const MeshView& view,
+                                              const ShadowCasters& casters, MeshShadows by,
                                               const Job& job = {});
 
 } // namespace keiko

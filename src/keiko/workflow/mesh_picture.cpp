@@ -104,7 +104,7 @@ void add_surroundings(Film& film, const MeshView& view, const MeshLight& light, 
     });
 }
 
-/// A mesh with the triangles of the scene's ground, of face 0.
+/// A mesh, and after it the triangles of the scene's ground, of face 0.
 SurfaceMesh on_ground(SurfaceMesh mesh, const Scene& scene) {
     if (!scene.ground()) return mesh;
     const SurfaceModel plane = ground_plane(*scene.ground(), scene.tracer.bounds());
@@ -189,8 +189,9 @@ Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera, co
     add_surroundings(film, view, light, to_shade);
     if (look.shadows == MeshShadows::none) return film;
     const SurfaceMesh grounded = on_ground(triangles, scene);
+    const MeshView receiving(grounded, camera, to_shade);
     for (const MeshLightShare& shaded :
-         mesh_light_shares(rig, grounded, camera, look.shadows, to_shade))
+         mesh_light_shares(rig, receiving, ShadowCasters(triangles), look.shadows, to_shade))
         take_shaded(film, view, light, look.shading, shaded, to_shade);
     return film;
 }
