@@ -16,7 +16,7 @@ namespace {
 // Directions from the place are points (x, y) of the plane at distance 1 across the cone's axis,
 // in which triangles are polygons and the sphere is a disc.
 
-/// Radians between the lines across a disc and the axes of space: an edge that runs along a line
+/// Radians between the lines across a disc and the axes of space. An edge that runs along a line
 /// would be found on it as a whole or not at all, and many edges run along axes.
 constexpr double oblique = 0.6;
 

@@ -11,8 +11,8 @@
 
 namespace keiko {
 
-/// Share of a light without extent that reaches the place in each pixel, one channel: 1 or 0; 0
-/// where nothing is seen, and where the facet's side that is seen faces away from the light.
+/// Share of a light without extent that reaches the place in each pixel, one channel: 1 or 0. It is
+/// 0 where nothing is seen, and where the facet's side that is seen faces away from the light.
 /// `casters` are those of the view's own mesh, or of one that this begins with: the triangles that
 /// follow receive shadows and cast none. The same for any number of threads. Throws
 /// Cancelled.

@@ -25,7 +25,7 @@ enum class HiddenSurfaces {
 };
 
 /// Algorithms that find the pixels of a mesh in the shadow of a light without extent. They find the
-/// same but at edges of shadows; `map` is off by its own pixels there.
+/// same but at edges of shadows; `map` has errors of its own pixels.
 enum class MeshShadows {
     none,      ///< no shadows
     ray,       ///< by rays to the light [Appel1968]

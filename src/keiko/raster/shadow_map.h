@@ -9,7 +9,8 @@
 
 namespace keiko {
 
-/// What a light without extent sees of a mesh: the first stage of shadows in two [Williams1978].
+/// Picture of a mesh from a light without extent: the first stage of shadows in two
+/// [Williams1978].
 class ShadowMap {
 public:
     /// `size`: pixels a side, up to 16384. Keeps a reference to the mesh. Throws Cancelled.

@@ -28,7 +28,7 @@ public:
                 pixels_[next[triangle]++] = pixel;
     }
 
-    /// Those of a triangle.
+    /// Pixels of a triangle.
     std::span<const std::size_t> of(std::size_t triangle) const {
         return std::span(pixels_).subspan(begin_[triangle],
                                           begin_[triangle + 1] - begin_[triangle]);

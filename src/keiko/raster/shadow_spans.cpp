@@ -18,7 +18,7 @@ struct Span {
     int y, first, last;
 };
 
-/// Where the plane of a triangle is met through a place of the picture.
+/// Place on the plane of a triangle that shows at a place of the picture.
 Vec3 met_by(const MeshView& view, std::uint32_t triangle, double x, double y) {
     const auto corners = view.corners(triangle);
     return mixed(ray_weights(corners, view.camera().ray(x, y)), corners);

@@ -70,7 +70,7 @@ private:
     std::vector<Chunk> chunks_;
 };
 
-/// What the pixels of a picture show of a mesh, found tile by tile on several threads.
+/// Buffer of the triangles of a picture, found tile by tile on several threads.
 /// `draw`(each_item, window, seen) writes the pixels of a tile; each_item(visit) calls `visit` for
 /// the items that meet it, in the order of the mesh. Throws Cancelled.
 template <class Draw>

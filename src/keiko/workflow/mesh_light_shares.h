@@ -18,8 +18,8 @@ struct MeshLightShare {
     Image share;            ///< one channel, see lit_pixels()
 };
 
-/// Shares of the lights of a rig that cast shadows of meshes: lights at points and the sun by the
-/// algorithm asked for, panels by it from many points, spheres by cones. Those of other kinds cast
+/// Shares of the lights of a rig that cast shadows of meshes: lights at points and the sun by an
+/// algorithm, panels by it from many points, spheres by cones. Those of other kinds cast
 /// none. `casters` as for lit_pixels(). Throws Cancelled.
 std::vector<MeshLightShare> mesh_light_shares(const LightRig& rig, const MeshView& view,
                                               const ShadowCasters& casters, MeshShadows by,

@@ -66,7 +66,7 @@ int wrong_inside(const Image& truth, const Image& other) {
     return wrong;
 }
 
-/// The others are exact; a map that is seen at a flat angle is off by several pixels of the view.
+/// The others are exact; a map seen at a flat angle errs by several pixels of the view.
 int most_wrong(MeshShadows by) {
     return by == MeshShadows::map ? 8 : 0; // of 8000 pixels
 }

@@ -22,8 +22,8 @@ public:
     /// the radius for the following ones.
     void visit_near(const Vec3& p, double radius,
                     const std::function<double(std::uint32_t)>& visit) const;
-    /// Calls `visit` with the boxes that `meets`(box) is true for, which then must be true for every
-    /// box around them. Ends with true once `visit` returns true.
+    /// Calls `visit` with the boxes for which `meets`(box) is true. It must then be true for every
+    /// box around these. Ends with true once `visit` returns true.
     template <class Meets, class Visit>
     bool any_of(const Meets& meets, const Visit& visit) const {
         std::vector<std::uint32_t> todo;
