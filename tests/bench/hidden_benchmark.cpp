@@ -24,7 +24,7 @@ namespace {
 constexpr int spheres = 12, middle_cells = 6, middle_side = 256;
 const Job one_thread{.threads = 1};
 
-/// What the algorithms are given.
+/// Spheres and a camera.
 struct HiddenScene {
     SurfaceMesh mesh{};
     SurfaceModel model{};
@@ -41,7 +41,7 @@ struct Algorithm {
     bool takes_triangles = true;
 };
 
-/// Of a function that finds the triangles of pixels.
+/// Algorithm of a function that finds the triangles of pixels.
 template <class Find>
 auto by_triangles(const Find& find) {
     return [find](const HiddenScene& scene) -> std::optional<ItemBuffer> {
@@ -112,9 +112,10 @@ std::vector<std::array<double, 2>> points_of(const std::vector<HiddenCost>& cost
 LogPlot plot_of(const std::vector<HiddenSeries>& series, bool pixels, double HiddenCost::*value,
                 const std::string& what) {
     LogPlot plot{pixels ? "pixels" : "triangles", what, {}};
-    for (const HiddenSeries& one : series) {
-        const auto& costs = pixels ? one.over_pixels : one.over_triangles;
-        if (costs.size() > 1) plot.curves.push_back({one.name, points_of(costs, pixels, value)});
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const auto& costs = pixels ? series[i].over_pixels : series[i].over_triangles;
+        if (costs.size() > 1)
+            plot.curves.push_back({series[i].name, points_of(costs, pixels, value), i});
     }
     return plot;
 }

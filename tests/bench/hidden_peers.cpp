@@ -28,7 +28,7 @@ IntervalSet hidden_parts(const LightPyramid& before, const SurfaceMesh& mesh,
     return IntervalSet(std::move(parts));
 }
 
-/// What is left of [0, 1].
+/// Parts of [0, 1] that are left.
 IntervalSet rest_of(const IntervalSet& hidden) {
     std::vector<ParameterInterval> rest;
     double begin = 0;

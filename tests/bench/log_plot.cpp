@@ -14,7 +14,7 @@ namespace {
 
 constexpr double width = 434, height = 350, left = 62, right = 28, bottom = 50; // px
 constexpr double name_height = 15;
-constexpr std::array colours{"#1f5fa8", "#c2571a", "#3a7d44", "#7a3e8e"};
+constexpr std::array colours{"#1f5fa8", "#c2571a", "#3a7d44", "#7a3e8e", "#8a6d00", "#333333"};
 
 /// The powers of ten around what is shown along one axis.
 struct Axis {
@@ -77,7 +77,7 @@ private:
     }
     std::string curve(std::size_t i) const {
         const LogPlot::Curve& c = plot_.curves[i];
-        const char* colour = colours[i % colours.size()];
+        const char* colour = colours[c.colour.value_or(i) % colours.size()];
         std::string places, dots;
         for (const auto& [x, y] : c.points) {
             places += fmt::format("{:.1f},{:.1f} ", px(x), py(y));

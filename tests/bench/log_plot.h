@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@ struct LogPlot {
     struct Curve {
         std::string name{};
         std::vector<std::array<double, 2>> points{};
+        std::optional<std::size_t> colour{}; ///< of six; by its place among the curves if unstated
     };
     std::string x{}, y{}; ///< what stands at the axes
     std::vector<Curve> curves{};

@@ -24,7 +24,7 @@ constexpr double microsecond = 1e6, millisecond = 1e3;
 /// Lengths along rays to their first hits.
 using FirstLengths = std::vector<std::optional<double>>;
 
-/// What a peer finds, and its cost.
+/// Findings of a peer, and its cost.
 struct PeerRays {
     std::string name;
     double seconds = 0;

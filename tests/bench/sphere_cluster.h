@@ -11,7 +11,7 @@
 
 namespace keiko::bench {
 
-/// Spheres that pierce each other, of which rays know all in closed form.
+/// Spheres that pierce each other, met by rays in closed form.
 class SphereCluster {
 public:
     /// `count` of them at random places in a ball of radius 100 mm, the same each time.

@@ -32,7 +32,7 @@ private:
         unsigned axis = 0; ///< across it
         double t = 0;      ///< along the ray
     };
-    /// Where a ray enters the grid.
+    /// Length along a ray to the grid.
     std::optional<double> entry(const Ray& ray) const;
     Side exit(const Cell& cell, const Ray& ray) const;
     std::optional<double> first_in(const Cell& cell, const Ray& ray) const;
