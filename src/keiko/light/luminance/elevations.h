@@ -22,8 +22,11 @@ inline double half_tangent(double x, double r) {
 /// there are none.
 inline ParameterInterval above_horizon(double al, double nz, ParameterInterval lit) {
     const double length = std::sqrt(al * al + nz * nz);
-    if (al > 0 || nz > 0) lit.begin = std::max(lit.begin, -al / (nz + length));
-    if (al > 0 || nz < 0) lit.end = std::min(lit.end, -al / (nz - length));
+    // Of both forms of each end one has a difference of two numbers that may be alike.
+    if (al > 0 || nz > 0)
+        lit.begin = std::max(lit.begin, nz < 0 ? (nz - length) / al : -al / (nz + length));
+    if (al > 0 || nz < 0)
+        lit.end = std::min(lit.end, nz > 0 ? (nz + length) / al : -al / (nz - length));
     if (!(al > 0) && nz == 0) lit.end = lit.begin;
     return lit;
 }
