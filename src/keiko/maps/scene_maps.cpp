@@ -49,10 +49,21 @@ ProjectedPlace FaceParameters::at(std::uint32_t patch, const Vec2& uv, const Vec
     return place;
 }
 
+bool FaceParameters::is_turned(std::uint32_t patch, const Vec2& uv) const {
+    if (patch >= of_patch_.size()) return false;
+    const PatchRanges& ranges = of_patch_[patch];
+    return ranges.u.slope(uv.x) * ranges.v.slope(uv.y) < 0;
+}
+
 SceneMaps::SceneMaps(std::span<const Material> materials, const SurfaceModel& model,
                      const std::optional<EnvironmentSpec>& environment)
     : parameters_(model) {
     if (environment) environment_.emplace(*environment);
+    for (const Face& face : model.faces) reversed_.push_back(face.reversed);
+    reversed_.resize(std::max(materials.size(), reversed_.size()), false);
+    for (const Instance& instance : model.instances)
+        mirrored_.push_back(instance.transform.mirrored());
+    mirrored_.push_back(false); // of the ground
     std::vector<std::pair<std::span<const MaterialMap>, std::shared_ptr<const SurfaceMaps>>> known;
     for (const Material& material : materials) {
         if (material.maps.empty()) {

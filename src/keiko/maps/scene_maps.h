@@ -22,6 +22,8 @@ public:
     /// those of the model the patch's own. Without gradients at poles.
     ProjectedPlace at(std::uint32_t patch, const Vec2& uv, const Vec3& dpdu,
                       const Vec3& dpdv) const;
+    /// True if one of a patch's parameters alone runs against that of its face.
+    bool is_turned(std::uint32_t patch, const Vec2& uv) const;
 
 private:
     struct Range {
@@ -46,6 +48,13 @@ public:
     SceneMaps(std::span<const Material> materials, const SurfaceModel& model,
               const std::optional<EnvironmentSpec>& environment = {});
 
+    /// 1 if the normal of a placed patch at its own parameters points to the outer side of its
+    /// face, else -1.
+    double outward_side(std::uint32_t instance, std::uint32_t patch, std::uint32_t face,
+                        const Vec2& uv) const {
+        const bool inwards = parameters_.is_turned(patch, uv) != reversed_[face];
+        return inwards == mirrored_[instance] ? 1 : -1;
+    }
     /// Maps of a face; null without any.
     const SurfaceMaps* of_face(std::uint32_t face) const { return of_face_[face].get(); }
     /// The surroundings; null without any.
@@ -55,6 +64,7 @@ public:
 
 private:
     std::vector<std::shared_ptr<const SurfaceMaps>> of_face_;
+    std::vector<bool> reversed_, mirrored_; ///< by face, by instance
     FaceParameters parameters_;
     std::optional<Environment> environment_;
 };

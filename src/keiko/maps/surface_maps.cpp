@@ -9,6 +9,15 @@
 namespace keiko {
 namespace {
 
+/// Depth, in cells of a texture, of the places that are looked up beneath the surface. On a face
+/// that lies between two layers of cells, rounding would else choose one of them at each place.
+constexpr double looked_up_beneath = 1e-6;
+
+/// Unit vector into the body.
+Vec3 inwards(const MapPlace& place) {
+    return place.from_inside ? place.normal : -place.normal;
+}
+
 /// Gradient in the world of a function of the model's places.
 Vec3 world_gradient(const Affine& to_model, const Vec3& gradient) {
     const auto& rows = to_model.rows;
@@ -29,7 +38,10 @@ TextureFrame on_projection_frame(const ProjectedPlace& at, const MapPlace& place
     const auto change = [&](const Vec3& step) {
         return Vec3(at.grad_u.dot(step), at.grad_v.dot(step), 0);
     };
-    return {{Vec3(at.at.x, at.at.y, 0), change(place.dx), change(place.dy)},
+    const double steepest = std::max(at.grad_u.length(), at.grad_v.length());
+    const double depth = steepest > 0 ? looked_up_beneath / steepest : 0; // mm
+    return {{Vec3(at.at.x, at.at.y, 0) + change(inwards(place) * depth), change(place.dx),
+             change(place.dy)},
             {Vec3(1, 0, 0), Vec3(0, 1, 0)},
             {at.grad_u, at.grad_v}};
 }
@@ -37,7 +49,8 @@ TextureFrame on_projection_frame(const ProjectedPlace& at, const MapPlace& place
 TextureFrame in_space(double size, const Affine& to_model, const MapPlace& place) {
     const auto step = [&](const Vec3& v) { return to_model.vector(v) / size; };
     const auto [a, b] = AxesAcross(place.normal, place.normal.z < 0 ? -1 : 1);
-    return {{to_model.point(place.position) / size, step(place.dx), step(place.dy)},
+    const Vec3 beneath = step(inwards(place)).normalized() * looked_up_beneath;
+    return {{to_model.point(place.position) / size + beneath, step(place.dx), step(place.dy)},
             {step(a), step(b)},
             {a, b}};
 }

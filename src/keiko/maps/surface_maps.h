@@ -17,6 +17,7 @@ struct MapPlace {
     Vec3 normal{0};              ///< unit, on the side of the viewer
     ProjectedPlace parameters{}; ///< of the face, 0 to 1 over it
     Vec3 dx{0}, dy{0};           ///< change of the position by the pixel's coordinates
+    bool from_inside = false;    ///< the viewer is behind the face, where the body would be
 };
 
 /// Factors that maps give a material at a place.

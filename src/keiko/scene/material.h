@@ -55,6 +55,9 @@ struct Material {
     std::optional<FlakeLayer> flakes{};   ///< none by default
     std::vector<MaterialMap> maps{};      ///< that vary it over a surface
     Rgb emits{0}; ///< cd/m2, alike in all directions, beside what it reflects
+    /// True if faces light others from both sides, else from the outer one. A luminance that maps
+    /// vary is visible on these sides.
+    bool emits_both_ways = false;
 
     bool operator==(const Material&) const = default;
 };

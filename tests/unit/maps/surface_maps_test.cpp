@@ -48,6 +48,25 @@ TEST(SurfaceMaps, RegionBoundsTheMap) {
     EXPECT_NEAR(maps.values(border).transmission.g, 0.5, 1e-12);
 }
 
+/// Rounding of a hit does not choose the layer of a face between two: it is the body's own.
+TEST(SurfaceMaps, FaceBetweenLayersShowsTheOneBeneath) {
+    for (const ProjectionKind kind : {ProjectionKind::solid, ProjectionKind::planar}) {
+        MaterialMap map = checkers(MappedQuantity::emission);
+        map.projection.kind = kind;
+        map.projection.u = Vec3(10, 0, 0), map.projection.v = Vec3(0, 0, 10);
+        const SurfaceMaps maps(std::array{map});
+        for (const double rounding : {-1e-12, 0.0, 1e-12})
+            for (const double up : {1.0, -1.0})
+                for (const bool from_inside : {false, true}) {
+                    MapPlace place{{5, 5, 20 + rounding}, {0, 0, up}};
+                    place.from_inside = from_inside;
+                    const bool body_above = (up < 0) != from_inside; // of the layer of 20 to 30
+                    EXPECT_EQ(maps.values(place).emission, Rgb(body_above ? 0 : 1))
+                        << rounding << up << from_inside;
+                }
+    }
+}
+
 TEST(SurfaceMaps, TexturesGoWithTheModel) {
     MaterialMap map = checkers(MappedQuantity::diffuse);
     map.placement = Affine::translate({10, 0, 0}) * Affine::scale(2);

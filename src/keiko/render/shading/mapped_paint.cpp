@@ -39,7 +39,9 @@ Vec3 bounded(const Vec3& step) {
 
 MapPlace MappedHits::place_of(const Ray& ray, const Hit& hit) const {
     MapPlace place{hit.position, hit.normal};
-    if (hit.normal.dot(ray.direction) > 0) place.normal = -hit.normal;
+    const double along = hit.normal.dot(ray.direction);
+    if (along > 0) place.normal = -hit.normal;
+    place.from_inside = along * maps_->outward_side(hit.instance, hit.patch, hit.face, hit.uv) > 0;
     place.parameters = maps_->parameters().at(hit.patch, hit.uv, hit.dpdu, hit.dpdv);
     if (!ray.differentials) return place;
     const RayDifferentials& d = *ray.differentials;
@@ -54,8 +56,11 @@ std::shared_ptr<const MappedPaint> MappedHits::paint(const Paint& base, const Ra
     const bool bends = maps.drives(MappedQuantity::bump) || maps.drives(MappedQuantity::normal);
     const bool lobes = maps.drives(MappedQuantity::roughness) ||
                        (base.gloss() && maps.drives(MappedQuantity::gloss));
-    return std::make_shared<const MappedPaint>(MappedPaint{
-        base.varied(materials_[hit.face], maps.values(place_of(ray, hit))), bends || lobes});
+    const MapPlace place = place_of(ray, hit);
+    MapValues values = maps.values(place);
+    if (place.from_inside && !materials_[hit.face].emits_both_ways) values.emission = Rgb(0);
+    return std::make_shared<const MappedPaint>(
+        MappedPaint{base.varied(materials_[hit.face], values), bends || lobes});
 }
 
 void MappedHits::bend(const Ray& ray, Hit& hit) const {
