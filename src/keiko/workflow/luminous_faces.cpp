@@ -2,172 +2,103 @@
 
 #include "keiko/base/error.h"
 #include "keiko/compare/alignment/placed_model.h"
-#include "keiko/geometry/bezier/bezier.h"
-#include "keiko/geometry/model/patch_grid.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/import/worker/mesh_in_worker.h"
 #include "keiko/maps/scene_maps.h"
-#include "keiko/maps/surface_maps.h"
 #include "keiko/math/bounds.h"
-#include "keiko/math/polygon.h"
+#include "keiko/render/shading/traced_lamp.h"
+#include "keiko/workflow/luminous_panels.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
+#include <iterator>
+#include <memory>
 #include <optional>
 #include <utility>
 
 namespace keiko {
 namespace {
 
-using Triangle = std::array<std::uint32_t, 3>;
-using Uv = std::array<Vec2, 3>; ///< corners of a triangle in face parameters
-
-/// A face of a placed model and its triangles, outwards.
-class LuminousFace {
-public:
-    LuminousFace(const SurfaceModel& model, const Face& face, const FaceMesh& mesh)
-        : model_(model), grid_(model, face), mesh_(mesh), triangles_(mesh.triangles) {
-        for (const Vec2& uv : mesh.uv) corners_.push_back(at(uv).position);
-        if (face.reversed)
-            for (Triangle& triangle : triangles_) std::swap(triangle[1], triangle[2]);
-    }
-
-    std::vector<PolygonLight> panels(const Rgb& luminance) const {
-        if (const auto outline = flat_outline()) return {panel(*outline, luminance)};
-        return panels_of(triangles_in_uv(), [&](const Uv&) { return luminance; });
-    }
-    /// Panels whose luminance maps vary: it is their mean over each of smaller triangles.
-    std::vector<PolygonLight> panels(const Rgb& luminance, const SurfaceMaps& maps,
-                                     const FaceParameters& parameters) const {
-        Box3 box;
-        for (const Vec3& corner : corners_) box.extend(corner);
-        std::vector<Uv> cells;
-        for (const Uv& uv : triangles_in_uv()) divide(uv, box.size() * largest_cell, cells);
-        return panels_of(cells, [&](const Uv& uv) {
-            return luminance * maps.values(place_on(uv, parameters)).emission;
-        });
-    }
-
-private:
-    struct Place {
-        Vec3 position{0};
-        double area = 0; ///< mm2 by the face's parameters
-    };
-
-    static constexpr double largest_cell = 1.0 / 6; ///< of the face's size
-
-    Place at(const Vec2& uv) const {
-        const auto [patch, own] = place_at(model_, grid_, uv);
-        const SurfaceDerivatives s = evaluate(model_.patch(patch), own, 1);
-        const Patch& p = model_.patches[patch];
-        const double by_face = p.map_u.derivative(own.x) * p.map_v.derivative(own.y);
-        return {s.position(), s.du().cross(s.dv()).length() / std::abs(by_face)};
-    }
-    std::vector<Uv> triangles_in_uv() const {
-        std::vector<Uv> all;
-        for (const auto& [a, b, c] : triangles_)
-            all.push_back({mesh_.uv[a], mesh_.uv[b], mesh_.uv[c]});
-        return all;
-    }
-    /// Panels of triangles, of a luminance each, that send the flux of the exact surface together.
-    template <class LuminanceOf>
-    std::vector<PolygonLight> panels_of(const std::vector<Uv>& triangles,
-                                        const LuminanceOf& luminance_of) const {
-        std::vector<PolygonLight> panels;
-        double flat = 0, curved = 0; // mm2
-        for (const Uv& uv : triangles) {
-            panels.push_back(panel({at(uv[0]).position, at(uv[1]).position, at(uv[2]).position},
-                                   luminance_of(uv)));
-            flat += polygon_normal(panels.back().corners).length() / 2;
-            curved += area_of(uv);
-        }
-        for (PolygonLight& panel : panels) panel.luminance *= curved / flat;
-        return panels;
-    }
-    /// Halves the sides of a triangle until none is longer than `longest`, in mm.
-    void divide(const Uv& uv, double longest, std::vector<Uv>& cells) const {
-        double side = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            side = std::max(side, (at(uv[i]).position - at(uv[(i + 1) % 3]).position).length());
-        if (!(side > longest)) return cells.push_back(uv);
-        const auto& [a, b, c] = uv;
-        const Vec2 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
-        for (const Uv& part : {Uv{a, ab, ca}, Uv{ab, b, bc}, Uv{ca, bc, c}, Uv{ab, bc, ca}})
-            divide(part, longest, cells);
-    }
-    /// The middle of a triangle, with a footprint of its area.
-    MapPlace place_on(const Uv& uv, const FaceParameters& parameters) const {
-        const auto [patch, own] = place_at(model_, grid_, (uv[0] + uv[1] + uv[2]) / 3);
-        const SurfaceDerivatives s = evaluate(model_.patch(patch), own, 1);
-        const Vec3 u = s.du().normalized(), v = s.du().cross(s.dv()).cross(s.du()).normalized();
-        const double side = std::sqrt(area_of(uv));
-        return {s.position(), s.du().cross(s.dv()).normalized(),
-                parameters.at(patch, own, s.du(), s.dv()), u * side, v * side};
-    }
-    /// Area of the exact surface of a triangle, by the middles of its sides.
-    double area_of(const Uv& uv) const {
-        double sum = 0;
-        for (std::size_t i = 0; i < 3; ++i) sum += at((uv[i] + uv[(i + 1) % 3]) / 2).area / 3;
-        return sum * std::abs((uv[1] - uv[0]).cross(uv[2] - uv[0])) / 2;
-    }
-    static PolygonLight panel(std::vector<Vec3> corners, const Rgb& luminance) {
-        return {.corners = std::move(corners), .luminance = luminance, .shown = false};
-    }
-
-    /// The sides that only one triangle has, by their first corner, if each begins but one.
-    std::optional<std::map<std::uint32_t, std::uint32_t>> border() const {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
-        for (const Triangle& triangle : triangles_)
-            for (std::size_t i = 0; i < 3; ++i) ++sides[{triangle[i], triangle[(i + 1) % 3]}];
-        std::map<std::uint32_t, std::uint32_t> next;
-        for (const auto& [side, count] : sides)
-            if (!sides.contains({side.second, side.first}))
-                if (!next.emplace(side).second) return std::nullopt;
-        return next;
-    }
-    bool is_flat() const {
-        constexpr double rounding = 1e-9; // of the face's size
-        Vec3 normal(0);
-        double size = 0;
-        for (const auto& [a, b, c] : triangles_)
-            normal += (corners_[b] - corners_[a]).cross(corners_[c] - corners_[a]);
-        for (const Vec3& at : corners_) size = std::max(size, (at - corners_[0]).length());
-        normal.normalize();
-        return std::all_of(corners_.begin(), corners_.end(), [&](const Vec3& at) {
-            return std::abs(normal.dot(at - corners_[0])) <= rounding * size;
-        });
-    }
-    /// The outline of a flat face without holes, if it has at most as many corners as panels may.
-    std::optional<std::vector<Vec3>> flat_outline() const {
-        constexpr std::size_t most = 1000;
-        const auto next = border();
-        if (!next || next->size() < 3 || next->size() > most || !is_flat()) return std::nullopt;
-        std::vector<Vec3> outline;
-        std::uint32_t corner = next->begin()->first;
-        do {
-            outline.push_back(corners_[corner]);
-            const auto found = next->find(corner);
-            if (found == next->end()) return std::nullopt;
-            corner = found->second;
-        } while (corner != next->begin()->first && outline.size() <= next->size());
-        if (outline.size() != next->size()) return std::nullopt;
-        return outline;
-    }
-
-    const SurfaceModel& model_;
-    PatchGrid grid_;
-    const FaceMesh& mesh_;
-    std::vector<Triangle> triangles_;
-    std::vector<Vec3> corners_;
+/// Placed faces of one instance that shine with one luminance.
+struct LampFaces {
+    std::uint32_t instance = 0;
+    std::vector<std::uint32_t> faces; ///< rising
+    bool is_uniform = true;           ///< no map varies the luminance
 };
 
-std::vector<std::uint32_t> emitting(std::span<const Material> materials) {
-    std::vector<std::uint32_t> faces;
-    for (std::uint32_t f = 0; f < materials.size(); ++f)
-        if (materials[f].emits != Rgb(0)) faces.push_back(f);
-    return faces;
+/// The luminous faces of a model, instance by instance, by luminance and by what varies it.
+std::vector<LampFaces> lamp_faces(const SurfaceModel& model, std::span<const Material> materials) {
+    std::vector<LampFaces> lamps;
+    for (std::uint32_t i = 0; i < model.instances.size(); ++i) {
+        const std::size_t first = lamps.size();
+        const Part& part = model.parts[model.instances[i].part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f) {
+            const Material& own = materials[f];
+            if (own.emits == Rgb(0)) continue;
+            const bool is_uniform = !has_emission_map(own);
+            const auto found =
+                std::find_if(lamps.begin() + static_cast<std::ptrdiff_t>(first), lamps.end(),
+                             [&](const LampFaces& lamp) {
+                                 return is_uniform && lamp.is_uniform &&
+                                        materials[lamp.faces.front()].emits == own.emits;
+                             });
+            if (found == lamps.end())
+                lamps.push_back({i, {f}, is_uniform});
+            else
+                found->faces.push_back(f);
+        }
+    }
+    return lamps;
+}
+
+/// The faces of a lamp, placed.
+PlacedModel placed_lamp(SurfaceModel model, const LampFaces& lamp) {
+    model.instances = {model.instances[lamp.instance]};
+    return placed_model(model, {}, lamp.faces);
+}
+
+std::vector<Vec3> control_points(const SurfaceModel& model, const Face& face) {
+    std::vector<Vec3> points;
+    for (std::uint32_t i = face.first_patch; i < face.first_patch + face.patch_count; ++i)
+        for (const Vec4& p : model.patch(i).points) points.push_back(Vec3(p.x, p.y, p.z) / p.w);
+    return points;
+}
+
+/// True if the control points of a face lie in a plane.
+bool is_flat(const SurfaceModel& model, const Face& face) {
+    constexpr double rounding = 1e-9; // of the size
+    const std::vector<Vec3> points = control_points(model, face);
+    Vec3 longest(0), normal(0);
+    for (const Vec3& at : points)
+        if ((at - points[0]).length2() > longest.length2()) longest = at - points[0];
+    for (const Vec3& at : points)
+        if (const Vec3 area = longest.cross(at - points[0]); area.length2() > normal.length2())
+            normal = area;
+    normal.normalize();
+    return std::all_of(points.begin(), points.end(), [&](const Vec3& at) {
+        return std::abs(normal.dot(at - points[0])) <= rounding * longest.length();
+    });
+}
+
+bool is_flat(const SurfaceModel& model) {
+    return std::all_of(model.faces.begin(), model.faces.end(),
+                       [&](const Face& face) { return is_flat(model, face); });
+}
+
+/// True if panels have each other behind them.
+bool is_convex(const std::vector<PolygonLight>& panels) {
+    constexpr double rounding = 1e-9; // of the size
+    Box3 box;
+    for (const PolygonLight& panel : panels)
+        for (const Vec3& corner : panel.corners) box.extend(corner);
+    return std::all_of(panels.begin(), panels.end(), [&](const PolygonLight& panel) {
+        const Vec3 normal = panel.normal();
+        for (const PolygonLight& other : panels)
+            for (const Vec3& corner : other.corners)
+                if (normal.dot(corner - panel.corners[0]) > rounding * box.size()) return false;
+        return true;
+    });
 }
 
 /// mm, the second longest side of a model's box.
@@ -178,6 +109,61 @@ double second_extent(const SurfaceModel& model, const Job& job) {
     return sides[1];
 }
 
+/// Makes the lights of one body.
+class BodyLamps {
+public:
+    BodyLamps(const SurfaceModel& body, std::span<const Material> materials,
+              const LoadOptions& options, double deviation, const Job& job)
+        : body_(body), materials_(materials), options_(options), deviation_(deviation), job_(job) {}
+
+    std::vector<LightSource> of(const LampFaces& lamp) const {
+        const PlacedModel placed = placed_lamp(body_, lamp);
+        const bool curved = !is_flat(placed.model);
+        if (lamp.is_uniform && curved)
+            if (auto light = by_contour(placed.model, lamp)) return {std::move(*light)};
+        std::vector<PolygonLight> panels = in_panels(placed, lamp);
+        if (lamp.is_uniform && !curved && !is_convex(panels))
+            if (auto light = by_contour(placed.model, lamp)) return {std::move(*light)};
+        return {std::make_move_iterator(panels.begin()), std::make_move_iterator(panels.end())};
+    }
+
+private:
+    const Material& material_of(const LampFaces& lamp) const {
+        return materials_[lamp.faces.front()];
+    }
+    /// nullopt for faces that are no closed body.
+    std::optional<ContourLight> by_contour(const SurfaceModel& placed,
+                                           const LampFaces& lamp) const {
+        auto body = std::make_shared<const TracedLamp>(placed, job_);
+        if (!body->is_closed()) return std::nullopt;
+        return ContourLight{std::move(body), material_of(lamp).emits};
+    }
+    std::vector<PolygonLight> in_panels(const PlacedModel& placed, const LampFaces& lamp) const {
+        const SurfaceModel& model = placed.model;
+        // A flat face is one panel, however many corners it has.
+        constexpr double finer = 1.0 / 32;
+        const double off = deviation_ * second_extent(model, job_) * (is_flat(model) ? finer : 1);
+        const ModelMesh mesh = mesh_in_worker(model, off, options_, job_);
+        const FaceParameters parameters(model);
+        std::vector<PolygonLight> all;
+        for (std::size_t f = 0; f < mesh.size(); ++f) {
+            if (!mesh[f].problem.empty())
+                throw Error(body_.source, body_.describe(model.faces[f]),
+                            "its light is unknown: " + mesh[f].problem);
+            for (PolygonLight& panel :
+                 luminous_panels(model, model.faces[f], mesh[f], material_of(lamp), parameters))
+                all.push_back(std::move(panel));
+        }
+        return all;
+    }
+
+    const SurfaceModel& body_;
+    std::span<const Material> materials_;
+    const LoadOptions& options_;
+    double deviation_;
+    const Job& job_;
+};
+
 } // namespace
 
 std::vector<LightSource> luminous_faces(const SurfaceModel& body,
@@ -185,25 +171,9 @@ std::vector<LightSource> luminous_faces(const SurfaceModel& body,
                                         const LoadOptions& options, const Job& job,
                                         double deviation) {
     std::vector<LightSource> lights;
-    const std::vector<std::uint32_t> faces = emitting(materials);
-    if (faces.empty()) return lights;
-    const PlacedModel placed = placed_model(body, {}, faces);
-    const ModelMesh mesh =
-        mesh_in_worker(placed.model, deviation * second_extent(placed.model, job), options, job);
-    const FaceParameters parameters(placed.model);
-    for (std::size_t f = 0; f < mesh.size(); ++f) {
-        const Face& face = placed.model.faces[f];
-        if (!mesh[f].problem.empty())
-            throw Error(body.source, body.describe(face),
-                        "its light is unknown: " + mesh[f].problem);
-        const LuminousFace luminous(placed.model, face, mesh[f]);
-        const Material& material = materials[placed.origin[f].face];
-        for (PolygonLight& panel :
-             has_emission_map(material)
-                 ? luminous.panels(material.emits, SurfaceMaps(material.maps), parameters)
-                 : luminous.panels(material.emits))
-            lights.emplace_back(std::move(panel));
-    }
+    const BodyLamps lamps(body, materials, options, deviation, job);
+    for (const LampFaces& lamp : lamp_faces(body, materials))
+        for (LightSource& light : lamps.of(lamp)) lights.push_back(std::move(light));
     return lights;
 }
 

@@ -11,13 +11,12 @@
 namespace keiko {
 
 /// The lights of a body's faces whose material, one a face, emits light
-/// (docs/theory/areas.md#bodies-as-lamps). A flat face with one outline is a panel, any other its
-/// triangles, whose luminance is such that they send the flux of the exact surface within their
-/// outline, whose curves are chords. Of a luminance that maps vary the triangles are smaller, and
-/// have its mean each. Lights shine outwards, and are not shown, as the body itself is. Throws
-/// Error naming a face that cannot be divided into triangles, and as mesh_in_worker does.
-/// `deviation`: by which surfaces may leave their triangles, as a share of the second longest side
-/// of the box of all these faces, which a tube has across.
+/// (docs/theory/areas.md#bodies-as-lamps). Faces of an instance with one luminance that close a
+/// body shine by its contour; if that is a convex polyhedron, as its faces. Others are panels, see
+/// luminous_panels(). Lights are not shown, as the body itself is. Throws Error naming a face that
+/// cannot be divided into triangles, and as mesh_in_worker does. `deviation`: by which surfaces may
+/// leave their triangles, as a share of the second longest side of the box of these faces, which a
+/// tube has across; a 32nd of it if all are flat.
 std::vector<LightSource> luminous_faces(const SurfaceModel& body,
                                         std::span<const Material> materials,
                                         const LoadOptions& options, const Job& job,

@@ -128,6 +128,8 @@ struct Text {
     std::string operator()(const Sun& sun) const { return table_text(sun); }
     std::string operator()(const SkyLight& sky) const { return table_text(sky); }
     std::string operator()(const PointSource& light) const { return table_text(light); }
+    /// Lights of bodies stand in no file.
+    std::string operator()(const ContourLight& /*light*/) const { return ""; }
     template <ExtendedLight Light>
     std::string operator()(const Light& light) const {
         return table_text(light);

@@ -109,6 +109,7 @@ private:
         peak_ = width_.place_in(chart_.peak());
         constexpr double flank = 0.9; // of the width: at its end a sphere's rate is 0
         const SubAxis axis = width_.sub_axis(std::clamp(peak_, -flank, flank));
+        const double weight = std::max(axis.weight, weight_beside(peak_));
         const Vec3 level = width_.direction(axis, 0), &along = width_.along();
         const double eta = std::atan2(along.dot(chart_.peak()), level.dot(chart_.peak()));
         const double cosine = std::cos(eta);
@@ -116,7 +117,15 @@ private:
         const Vec3 sideways = level.cross(along); // the way that rising wedge angles turn, or back
         constexpr double crowded = 0.02;          // meridians crowd at the ends of the lines
         spread_ = 1 / (chart_.at(light, sideways).rate.length() *
-                       std::max(std::abs(cosine), crowded) * axis.weight);
+                       std::max(std::abs(cosine), crowded) * weight);
+    }
+    /// A part of the weight beside a place, which itself may lie where a contour turns.
+    double weight_beside(double place) const {
+        constexpr double beside = 0.05, part = 0.1;
+        const auto weight_at = [&](double at) {
+            return width_.sub_axis(std::clamp(at, -1 + beside, 1 - beside)).weight;
+        };
+        return part * std::max(weight_at(place - beside), weight_at(place + beside));
     }
 
     const Width& width_;

@@ -19,17 +19,20 @@ std::vector<Vec3> bounds_of(const SphereLight& light);
 std::vector<Vec3> bounds_of(const DiscLight& light);
 std::vector<Vec3> bounds_of(const FrustumLight& light);
 std::vector<Vec3> bounds_of(const EllipsoidLight& light);
+std::vector<Vec3> bounds_of(const ContourLight& light);
 
 /// A sphere around a light, of any luminance.
 SphereLight sphere_around(const DiscLight& light);
 SphereLight sphere_around(const FrustumLight& light);
 SphereLight sphere_around(const EllipsoidLight& light);
+SphereLight sphere_around(const ContourLight& light);
 
 /// Lower bound, radians, of the angles between a unit direction and the ways from a point to a
 /// light: that of a sphere around the light; 0 within it.
 double least_angle(const PolygonLight& light, const Vec3& point, const Vec3& direction);
 double least_angle(const SphereLight& light, const Vec3& point, const Vec3& direction);
-template <CurvedLight Light>
+template <class Light>
+requires CurvedLight<Light> || std::same_as<Light, ContourLight>
 double least_angle(const Light& light, const Vec3& point, const Vec3& direction) {
     return least_angle(sphere_around(light), point, direction);
 }
@@ -58,6 +61,11 @@ double projected_solid_angle(const FrustumLight& light, const Vec3& point, const
 /// with unit `normal`, in closed form (docs/theory/areas.md#curved-bodies). 0 inside of it.
 double projected_solid_angle(const EllipsoidLight& light, const Vec3& point, const Vec3& normal);
 
+/// Projected solid angle in sr, 0 to pi, of what is visible of a luminous body above the horizon
+/// of `point` with unit `normal`, to 1e-6. By lines across its outline
+/// (docs/theory/areas.md#bodies-by-their-contour); 0 inside of it.
+double projected_solid_angle(const ContourLight& light, const Vec3& point, const Vec3& normal);
+
 /// True if a point lies on a panel, where its light is undefined.
 bool holds(const PolygonLight& light, const Vec3& point);
 /// True if a point lies inside of a sphere. The surface itself is outside.
@@ -68,5 +76,7 @@ bool holds(const DiscLight& light, const Vec3& point);
 bool holds(const FrustumLight& light, const Vec3& point);
 /// True if a point lies inside of an ellipsoid. The surface itself is outside.
 bool holds(const EllipsoidLight& light, const Vec3& point);
+/// True if a point lies inside of a luminous body.
+bool holds(const ContourLight& light, const Vec3& point);
 
 } // namespace keiko

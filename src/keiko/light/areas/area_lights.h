@@ -1,6 +1,7 @@
 #pragma once
 
 #include "keiko/base/export.h"
+#include "keiko/light/areas/contour_light.h"
 #include "keiko/light/areas/curved_lights.h"
 #include "keiko/math/polygon.h"
 #include "keiko/math/rgb.h"
@@ -51,7 +52,11 @@ inline double entry_of(const SphereLight& light, const Vec3& origin, const Vec3&
 
 /// Lights with an area that are no tubes.
 template <class Light>
-concept AreaLight =
-    std::same_as<Light, PolygonLight> || std::same_as<Light, SphereLight> || CurvedLight<Light>;
+concept AreaLight = std::same_as<Light, PolygonLight> || std::same_as<Light, SphereLight> ||
+    CurvedLight<Light> || std::same_as<Light, ContourLight>;
+
+/// Area lights that are shown by themselves, and not by a body of the scene.
+template <class Light>
+concept ShownLight = AreaLight<Light> && !std::same_as<Light, ContourLight>;
 
 } // namespace keiko

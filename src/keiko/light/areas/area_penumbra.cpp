@@ -1,6 +1,7 @@
 #include "keiko/light/areas/area_penumbra.h"
 
 #include "keiko/light/areas/area_width.h"
+#include "keiko/light/areas/contour_width.h"
 #include "keiko/light/areas/ellipse_width.h"
 #include "keiko/light/areas/frustum_width.h"
 
@@ -39,6 +40,19 @@ double visible_share(const FrustumLight& light, const Vec3& point, const Vec3& n
 double visible_share(const EllipsoidLight& light, const Vec3& point, const Vec3& normal,
                      const Visibility& visible, const WidthOptions& options) {
     return share_of(light, point, normal, visible, options);
+}
+
+double visible_share(const ContourLight& light, const Vec3& point, const Vec3& normal,
+                     const Visibility& visible, const WidthOptions& options) {
+    double all = 0, seen = 0;
+    const std::vector<ContourWidth> widths = ContourWidth::all(light, point, normal);
+    for (const ContourWidth& width : widths) {
+        const double share = visible_share(width, VisibleFront(width, visible), options);
+        if (widths.size() == 1) return share;
+        const double own = projected_solid_angle(width);
+        all += own, seen += own * share;
+    }
+    return all > 0 ? seen / all : 0;
 }
 
 } // namespace keiko

@@ -19,5 +19,7 @@ double visible_share(const FrustumLight& light, const Vec3& point, const Vec3& n
                      const Visibility& visible, const WidthOptions& options);
 double visible_share(const EllipsoidLight& light, const Vec3& point, const Vec3& normal,
                      const Visibility& visible, const WidthOptions& options);
+double visible_share(const ContourLight& light, const Vec3& point, const Vec3& normal,
+                     const Visibility& visible, const WidthOptions& options);
 
 } // namespace keiko

@@ -7,7 +7,7 @@ namespace keiko {
 
 bool is_body_lamp(const LightSource& source) {
     const auto* panel = std::get_if<PolygonLight>(&source);
-    return panel && !panel->shown;
+    return std::holds_alternative<ContourLight>(source) || (panel && !panel->shown);
 }
 
 bool shines_by_bodies_alone(const LightRig& rig) {
@@ -24,6 +24,10 @@ void add_body_lamps(const std::optional<LightRig>& from, LightRig& to) {
 void move_body_lamps(const Affine& motion, LightRig& rig) {
     for (LightSource& source : rig.sources) {
         if (!is_body_lamp(source)) continue;
+        if (auto* light = std::get_if<ContourLight>(&source)) {
+            light->body = light->body->moved(motion);
+            continue;
+        }
         std::vector<Vec3>& corners = std::get<PolygonLight>(source).corners;
         for (Vec3& corner : corners) corner = motion.point(corner);
         if (motion.mirrored()) std::reverse(corners.begin(), corners.end());

@@ -7,7 +7,7 @@
 
 namespace keiko {
 
-// Lights that stand for faces of a body that shine: panels that the body itself shows. They belong
+// Lights that stand for faces of a body that shine, and that the body itself shows. They belong
 // to the body: another rig does not replace them, no rig file holds them.
 
 /// True for a light that a face of a body shows.

@@ -1,5 +1,6 @@
 #include "keiko/light/areas/area_gloss.h"
 #include "keiko/light/areas/area_irradiance.h"
+#include "keiko/light/areas/contour_width.h"
 #include "keiko/light/areas/ellipse_width.h"
 #include "keiko/light/areas/frustum_width.h"
 #include "keiko/light/fog/transmittance.h"
@@ -95,9 +96,16 @@ private:
         const Rgb sent = medium_ ? gloss.integral([&](const Vec3& place) { return passed(place); })
                                  : gloss.integral();
         if (sent == Rgb()) return {};
-        const double share =
-            seen < 1 ? visible_gloss_share(gloss, visible_, area_accuracy(in_picture())) : 1;
-        return light.luminance * sent * share;
+        return light.luminance * sent * (seen < 1 ? share_of(*width, gloss) : 1);
+    }
+
+    template <class Width>
+    double share_of(const Width& width, const AreaGloss<Width, Kernel>& gloss) const {
+        const WidthOptions accuracy = area_accuracy(in_picture());
+        if constexpr (std::same_as<Width, ContourWidth>)
+            return visible_gloss_share(gloss, VisibleFront(width, visible_), accuracy);
+        else
+            return visible_gloss_share(gloss, visible_, accuracy);
     }
 
     /// The intensity is that across the line times cos(eta), and dl / r^2 = d(eta) / distance.

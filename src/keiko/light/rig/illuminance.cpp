@@ -1,5 +1,6 @@
 #include "keiko/light/areas/area_integral.h"
 #include "keiko/light/areas/area_irradiance.h"
+#include "keiko/light/areas/contour_width.h"
 #include "keiko/light/areas/ellipse_width.h"
 #include "keiko/light/areas/frustum_width.h"
 #include "keiko/light/fog/transmittance.h"

@@ -50,7 +50,7 @@ struct Sun {
 /// Every kind of light source a rig can hold.
 using LightSource =
     std::variant<CPlane, Spotlight, Luminaire, Sun, PolygonLight, SphereLight, PointSource,
-                 LineLight, SkyLight, DiscLight, FrustumLight, EllipsoidLight>;
+                 LineLight, SkyLight, DiscLight, FrustumLight, EllipsoidLight, ContourLight>;
 
 /// Lights with an extent that are no rows of tubes. They light surfaces alone, and no medium.
 template <class Light>

@@ -30,7 +30,7 @@ public:
     /// Kinds of sources in the order of LightSource.
     using Kind =
         std::variant<LampRow, Spotlight, Luminaire, Sun, PolygonLight, SphereLight, PointSource,
-                     LineLight, SkyLight, DiscLight, FrustumLight, EllipsoidLight>;
+                     LineLight, SkyLight, DiscLight, FrustumLight, EllipsoidLight, ContourLight>;
 
     template <std::convertible_to<LightSource> Source>
     PreparedSource(const Source& source) : kind_(prepare(source)) {}

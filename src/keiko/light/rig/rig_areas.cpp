@@ -9,14 +9,14 @@
 namespace keiko {
 namespace {
 
-template <AreaLight Light>
+template <ShownLight Light>
 Box3 box_around(const Light& light) {
     Box3 box;
     for (const Vec3& corner : bounds_of(light)) box.extend(corner);
     return box;
 }
 
-template <AreaLight Light>
+template <ShownLight Light>
 bool is_shown(const Light& /*light*/) {
     return true;
 }
@@ -24,7 +24,7 @@ bool is_shown(const PolygonLight& light) {
     return light.shown;
 }
 
-template <AreaLight Light>
+template <ShownLight Light>
 const Light& shape_of(const Light& light) {
     return light;
 }
@@ -62,7 +62,7 @@ RigAreas::RigAreas(const LightRig& rig) {
     for (const LightSource& source : rig.sources)
         std::visit(
             [&](const auto& light) {
-                if constexpr (AreaLight<std::decay_t<decltype(light)>>)
+                if constexpr (ShownLight<std::decay_t<decltype(light)>>)
                     if (is_shown(light))
                         areas_.push_back({shape_of(light), light.luminance, box_around(light)});
             },

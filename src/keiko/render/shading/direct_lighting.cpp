@@ -5,6 +5,7 @@
 #include "keiko/light/sky/sky_panels.h"
 #include "keiko/light/spotlight/point_light.h"
 #include "keiko/light/tubes/tube_lamp.h"
+#include "keiko/math/box_corners.h"
 
 #include <algorithm>
 #include <iterator>
@@ -65,6 +66,8 @@ std::vector<Vec3> light_bounds(const PreparedSource& source, std::span<const int
 std::vector<Vec3> lamp_corners(const PreparedSource& source, int lamp, const Vec3& point,
                                TubeModel model) {
     const auto* row = std::get_if<LampRow>(&source.kind());
+    if (const auto* light = std::get_if<ContourLight>(&source.kind()))
+        return corners_of(light->body->bounds());
     if (!row) return light_bounds(source, {&lamp, 1}, point);
     const CPlaneFrame& frame = row->frame;
     if (weighs_width(row->plane, model)) return box_around(frame, lamp, lamp, frame.radius(), 0);

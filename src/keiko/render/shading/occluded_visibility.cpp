@@ -3,6 +3,7 @@
 #include "keiko/base/job.h"
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/spotlight/point_light.h"
+#include "keiko/math/box_corners.h"
 
 namespace keiko {
 namespace {
@@ -26,6 +27,9 @@ struct ViewpointOf {
         return Viewpoint::at(light.corners.front());
     }
     Viewpoint operator()(const SphereLight& light) const { return Viewpoint::at(light.center); }
+    Viewpoint operator()(const ContourLight& light) const {
+        return Viewpoint::at(sphere_around(light).center);
+    }
     template <CurvedLight Light>
     Viewpoint operator()(const Light& light) const {
         return Viewpoint::at(sphere_around(light).center);
@@ -50,12 +54,7 @@ std::vector<Vec3> region_of(std::span<const Segment> segments) {
         box.extend(segment.a);
         box.extend(segment.b);
     }
-    if (box.empty()) return {};
-    std::vector<Vec3> corners;
-    for (const double x : {box.lower.x, box.upper.x})
-        for (const double y : {box.lower.y, box.upper.y})
-            for (const double z : {box.lower.z, box.upper.z}) corners.emplace_back(x, y, z);
-    return corners;
+    return box.empty() ? std::vector<Vec3>() : corners_of(box);
 }
 
 /// Origin of a pencil of planes, unless it is the camera's eye.

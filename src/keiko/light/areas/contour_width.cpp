@@ -1,0 +1,314 @@
+#include "keiko/light/areas/contour_width.h"
+
+#include "keiko/light/luminance/flush.h"
+#include "keiko/math/box_corners.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+/// Cosine of the widest angle to the middle of a body that is viewed from afar: 75 degrees.
+constexpr double widest = 0.2588190451025208;
+/// Slope beside the normal up to which one width views a near body.
+constexpr double steepest = 1e3;
+/// Distance of the plane behind a body, by that of its farthest place.
+constexpr double behind = 1.01;
+/// Angle, rad, between places where the contour turns, below which they are one.
+constexpr double one_turn = 1e-9;
+/// Share of a chord that its ends lie within the outline, where rays just meet the body.
+constexpr double inside = 1e-6;
+
+std::vector<Vec3> ways_to_corners(const Box3& box, const Vec3& point) {
+    std::vector<Vec3> ways = corners_of(box);
+    for (Vec3& way : ways) way -= point;
+    return ways;
+}
+
+bool is_far(const Box3& box, const Vec3& point) {
+    const Vec3 view = (box.center() - point).normalized();
+    const std::vector<Vec3> corners = ways_to_corners(box, point);
+    return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+        return corner.dot(view) > widest * corner.length();
+    });
+}
+
+/// True if a part of a box is above the horizon of a point.
+bool rises(const Box3& box, const Vec3& point, const Vec3& normal) {
+    const std::vector<Vec3> corners = ways_to_corners(box, point);
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](const Vec3& corner) { return corner.dot(normal) > 0; });
+}
+
+/// The longest axis of a box that is not nearly along the view, made square to it.
+Vec3 lines_of(const Box3& box, const Vec3& ahead) {
+    constexpr double nearly_along = 0.8;
+    const Vec3 size = box.extent();
+    std::array<unsigned, 3> axes{0, 1, 2};
+    std::sort(axes.begin(), axes.end(), [&](unsigned a, unsigned b) { return size[a] > size[b]; });
+    for (const unsigned i : axes) {
+        Vec3 axis(0, 0, 0);
+        axis[i] = 1;
+        const double cosine = axis.dot(ahead);
+        if (std::abs(cosine) < nearly_along) return (axis - ahead * cosine).normalized();
+    }
+    return Vec3(0, 0, 0); // no direction is nearly along two axes
+}
+
+/// Corners of the part of a box at least so far ahead; between any two of them it is cut.
+std::vector<Vec3> cut_ahead(const std::vector<Vec3>& corners, const Vec3& ahead, double least) {
+    std::vector<Vec3> kept;
+    for (const Vec3& a : corners) {
+        const double height = a.dot(ahead) - least;
+        if (height >= 0) kept.push_back(a);
+        for (const Vec3& b : corners) {
+            const double below = b.dot(ahead) - least;
+            if (height > 0 && below < 0) kept.push_back(a + (b - a) * (height / (height - below)));
+        }
+    }
+    return kept;
+}
+
+ParameterInterval common(const ParameterInterval& a, const ParameterInterval& b) {
+    return {std::max(a.begin, b.begin), std::min(a.end, b.end)};
+}
+
+} // namespace
+
+std::optional<ContourView> ContourView::within(const LuminousBody& body, const Vec3& point,
+                                               const Vec3& ahead, const Vec3& along,
+                                               const ParameterInterval& across, double slope) {
+    const std::vector<Vec3> corners = ways_to_corners(body.bounds(), point);
+    double farthest = 0;
+    for (const Vec3& corner : corners) farthest = std::max(farthest, corner.dot(ahead));
+    if (!(farthest > 0)) return std::nullopt;
+    ContourView view{point, ahead, along, {}, behind * farthest, {}, {}};
+    constexpr double none = std::numeric_limits<double>::infinity();
+    ParameterInterval u{none, -none}, v = u; // slopes
+    constexpr double lowest = 1e-9;          // below which slopes are those of the limits
+    for (const Vec3& at : cut_ahead(corners, ahead, lowest * farthest)) {
+        const Vec3 own(at.dot(view.along), at.dot(view.across()), at.dot(ahead));
+        view.reach.extend(own);
+        u = {std::min(u.begin, own.x / own.z), std::max(u.end, own.x / own.z)};
+        v = {std::min(v.begin, own.y / own.z), std::max(v.end, own.y / own.z)};
+    }
+    u = common(u, {-slope, slope}), v = common(v, across);
+    if (!(u.begin < u.end && v.begin < v.end)) return std::nullopt;
+    view.reach = view.reach.intersection({Vec3(-slope * farthest, across.begin * farthest, 0),
+                                          Vec3(slope * farthest, across.end * farthest, farthest)});
+    view.extent = {u.begin * view.distance, u.end * view.distance};
+    view.turn = {std::atan(v.begin), std::atan(v.end)};
+    return view;
+}
+
+std::vector<ContourView> ContourView::all(const LuminousBody& body, const Vec3& point,
+                                          const Vec3& normal) {
+    std::vector<ContourView> views;
+    const Box3& box = body.bounds();
+    if (!rises(box, point, normal)) return views;
+    const auto add = [&](const Vec3& ahead, const Vec3& along, const ParameterInterval& across,
+                         double slope) {
+        if (auto view = within(body, point, ahead, along, across, slope)) views.push_back(*view);
+    };
+    if (is_far(box, point)) {
+        constexpr double all = std::numeric_limits<double>::infinity();
+        const Vec3 ahead = (box.center() - point).normalized();
+        add(ahead, lines_of(box, ahead), {-all, all}, all);
+        return views;
+    }
+    const Vec3 x = lines_of(box, normal), y = normal.cross(x);
+    add(normal, x, {-1, 1}, 1);
+    for (const Vec3& aside : {x, -x, y, -y}) add(aside, normal.cross(aside), {0, 1}, 1);
+    return views;
+}
+
+Vec3 ContourView::on_plane(double u, double wedge_angle) const {
+    return point + along * u + (across() * std::tan(wedge_angle) + ahead) * distance;
+}
+
+std::vector<ContourWidth> ContourWidth::all(const ContourLight& light, const Vec3& point,
+                                            const Vec3& normal) {
+    std::vector<ContourWidth> widths;
+    const Vec3 from = light.body->in_front(point, normal);
+    if (light.body->contains(from)) return widths;
+    for (const ContourView& view : ContourView::all(*light.body, from, normal)) {
+        ContourWidth width(*light.body, view, normal);
+        if (!width.turns_.empty()) widths.push_back(std::move(width));
+    }
+    return widths;
+}
+
+std::optional<ContourWidth> ContourWidth::of(const ContourLight& light, const Vec3& point,
+                                             const Vec3& normal) {
+    const Vec3 from = light.body->in_front(point, normal);
+    const std::vector<ContourView> views = ContourView::all(*light.body, from, normal);
+    if (views.empty() || light.body->contains(from)) return std::nullopt;
+    const auto view =
+        views.size() == 1
+            ? views.front()
+            : ContourView::within(*light.body, from, normal, lines_of(light.body->bounds(), normal),
+                                  {-steepest, steepest}, steepest);
+    if (!view) return std::nullopt;
+    ContourWidth width(*light.body, *view, normal);
+    if (width.turns_.empty()) return std::nullopt;
+    return width;
+}
+
+ContourWidth::ContourWidth(const LuminousBody& body, const ContourView& view, const Vec3& normal)
+    : AreaWidth(view.point + view.ahead * view.distance, -view.ahead, view.along, view.point,
+                normal),
+      body_(&body),
+      view_(view) {
+    set_extent(view.extent);
+    std::vector<Vec3> region;
+    for (const double u : {view.extent.begin, view.extent.end})
+        for (const double angle : {view.turn.begin, view.turn.end})
+            region.push_back(view.on_plane(u, angle));
+    outline_ = body.outline_from(view.point, std::move(region));
+    find_turns();
+}
+
+/// Finds the wedge angles at which the contour turns, as far as there is light between.
+void ContourWidth::find_turns() {
+    const auto line = [&](double angle) {
+        return Segment{view_.on_plane(view_.extent.begin, angle),
+                       view_.on_plane(view_.extent.end, angle)};
+    };
+    const Segment first = line(view_.turn.begin), last = line(view_.turn.end);
+    std::vector<double> angles{view_.turn.begin, view_.turn.end};
+    for (const CriticalSlice& slice : outline_->turns({first, first, last, last}, {1, 0}))
+        if (const double at = wedge_angle(slice.way); at > angles[0] && at < angles[1])
+            angles.push_back(at);
+    std::sort(angles.begin(), angles.end());
+    const auto near = [](double a, double b) { return b - a < one_turn; };
+    angles.erase(std::unique(angles.begin(), angles.end(), near), angles.end());
+    const auto is_dark = [&](std::size_t i) {
+        constexpr std::array places{0.02, 0.25, 0.5, 0.75, 0.98};
+        return std::all_of(places.begin(), places.end(), [&](double place) {
+            const double angle = angles[i] + (angles[i + 1] - angles[i]) * place;
+            return chords(distance() * std::tan(angle)).empty();
+        });
+    };
+    std::size_t begin = 0, end = angles.size() - 1;
+    while (begin < end && is_dark(begin)) ++begin;
+    while (begin < end && is_dark(end - 1)) --end;
+    for (std::size_t i = begin; begin < end && i <= end; ++i) turns_.push_back(angles[i]);
+}
+
+std::vector<double> ContourWidth::cuts() const {
+    std::vector<double> places;
+    const double from = turns_.front(), length = turns_.back() - from;
+    for (const double angle : turns_) places.push_back(2 * (angle - from) / length - 1);
+    places.back() = 1;
+    return places;
+}
+
+SubAxis ContourWidth::sub_axis(double place) const {
+    const double from = turns_.front(), length = turns_.back() - from;
+    const double even = from + length * (place + 1) / 2;
+    const auto next = std::upper_bound(turns_.begin() + 1, turns_.end() - 1, even);
+    const double middle = (*next + next[-1]) / 2, half = (*next - next[-1]) / 2;
+    const double s = pi / 2 * std::clamp((even - middle) / half, -1.0, 1.0);
+    return line_at(distance() * std::tan(middle + half * std::sin(s)),
+                   pi / 4 * length * std::cos(s));
+}
+
+double ContourWidth::place_in(const Vec3& way) const {
+    const double from = turns_.front(), length = turns_.back() - from, angle = wedge_angle(way);
+    if (!(angle > from && angle < turns_.back()))
+        return std::copysign(2, angle - from - length / 2);
+    const auto next = std::upper_bound(turns_.begin() + 1, turns_.end() - 1, angle);
+    const double middle = (*next + next[-1]) / 2, half = (*next - next[-1]) / 2;
+    const double even =
+        middle + half * std::asin(std::clamp((angle - middle) / half, -1.0, 1.0)) * (2 / pi);
+    return 2 * (even - from) / length - 1;
+}
+
+std::vector<ParameterInterval> ContourWidth::chords(double v) const {
+    for (const auto& [at, chords] : known_)
+        if (at == v) return chords;
+    const double from = extent().begin, length = extent().length();
+    const double angle = std::atan2(v, distance());
+    std::vector<ParameterInterval> chords;
+    const Segment line{view_.on_plane(from, angle), view_.on_plane(extent().end, angle)};
+    for (const ParameterInterval& part : outline_->intervals(line).complement())
+        chords.push_back({from + part.begin * length, from + part.end * length});
+    known_.emplace_back(v, chords);
+    return chords;
+}
+
+Vec3 ContourWidth::way_to(double u, double v) const {
+    return (view_.along * u + view_.across() * v + view_.ahead * distance()).normalized();
+}
+
+Vec3 ContourWidth::front(const Vec3& way) const {
+    const auto t = body_->distance(point(), way);
+    const double middle = view_.reach.center().z / way.dot(view_.ahead);
+    return point() + way * (t.value_or(middle) * (1 - flush));
+}
+
+Vec3 ContourWidth::place(const SubAxis& axis, double half_tangent) const {
+    return front(direction(axis, half_tangent));
+}
+
+double ContourWidth::u_of(const Vec3& at) const {
+    const Vec3 way = at - point();
+    return distance() * way.dot(view_.along) / way.dot(view_.ahead);
+}
+
+Prism ContourWidth::around() const {
+    Prism prism;
+    const Vec3 &low = view_.reach.lower, &high = view_.reach.upper;
+    std::size_t i = 0;
+    for (const double y : {low.y, high.y})
+        for (const double z : {low.z, high.z}) {
+            const Vec3 edge = point() + view_.across() * y + view_.ahead * z;
+            prism[i++] = {edge + view_.along * low.x, edge + view_.along * high.x};
+        }
+    return prism;
+}
+
+void ContourWidth::add_pieces(const Vec3& from, const Vec3& to, double v, int depth,
+                              std::vector<Segment>& pieces) const {
+    constexpr double hollow = 1e-3; // of the distance, by which the front lies behind its chord
+    const double middle = (u_of(from) + u_of(to)) / 2;
+    const Vec3 at = front(way_to(middle, v)), a = from - point(), b = to - point();
+    const double level_a = a.dot(view_.along) * distance() - middle * a.dot(view_.ahead);
+    const double level_b = b.dot(view_.along) * distance() - middle * b.dot(view_.ahead);
+    const Vec3 on_chord = a + (b - a) * (level_a / (level_a - level_b));
+    const bool is_hollow = (at - point()).length() > on_chord.length() * (1 + hollow);
+    if (depth == 0 || !is_hollow) return pieces.push_back({from, to});
+    add_pieces(from, at, v, depth - 1, pieces);
+    add_pieces(at, to, v, depth - 1, pieces);
+}
+
+IntervalSet ContourWidth::visible_on(const Segment& line, const Visibility& others) const {
+    constexpr int most_halvings = 4;
+    const Vec3 way = line.a - point();
+    const double v = distance() * way.dot(view_.across()) / way.dot(view_.ahead);
+    const double from = u_of(line.a), length = u_of(line.b) - from;
+    std::vector<ParameterInterval> hidden;
+    for (const ParameterInterval& chord : chords(v)) {
+        const double inset = inside * chord.length();
+        std::vector<Segment> pieces;
+        add_pieces(front(way_to(chord.begin + inset, v)), front(way_to(chord.end - inset, v)), v,
+                   most_halvings, pieces);
+        const std::vector<IntervalSet> seen = others.intervals(pieces);
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            for (const ParameterInterval& dark : seen[i].complement()) {
+                const bool begins = i == 0 && dark.begin == 0;
+                const bool ends = i + 1 == pieces.size() && dark.end == 1;
+                hidden.push_back(
+                    {((begins ? chord.begin : u_of(pieces[i].at(dark.begin))) - from) / length,
+                     ((ends ? chord.end : u_of(pieces[i].at(dark.end))) - from) / length});
+            }
+    }
+    return IntervalSet(std::move(hidden)).complement();
+}
+
+} // namespace keiko

@@ -1,0 +1,116 @@
+#pragma once
+
+#include "keiko/light/areas/area_width.h"
+#include "keiko/light/areas/contour_light.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace keiko {
+
+/// Axes and extents in which a point views a luminous body.
+struct ContourView {
+    Vec3 point;               ///< viewpoint, outside of the body
+    Vec3 ahead, along;        ///< unit, at right angles: towards the body, and along the lines
+    Box3 reach;               ///< of what is ahead of the point, by along, across and ahead, mm
+    double distance;          ///< mm, of a plane across `ahead` behind the body
+    ParameterInterval extent; ///< of the body on that plane, along the lines
+    ParameterInterval turn;   ///< wedge angles of the body, radians, within a half turn
+
+    /// Views from a point that together hold what is above its horizon of the body; none if that is
+    /// nothing. Of a body afar it is one, ahead the middle of its box, of a near one those through
+    /// the faces of half a cube, ahead first the normal.
+    static std::vector<ContourView> all(const LuminousBody& body, const Vec3& point,
+                                        const Vec3& normal);
+    /// The view ahead up to a slope along the lines, and across them from one slope to another;
+    /// nullopt if nothing of the body's box is there.
+    static std::optional<ContourView> within(const LuminousBody& body, const Vec3& point,
+                                             const Vec3& ahead, const Vec3& along,
+                                             const ParameterInterval& across, double slope);
+    /// Unit vector across the lines.
+    Vec3 across() const { return ahead.cross(along); }
+    /// Place on the plane at a wedge angle.
+    Vec3 on_plane(double u, double wedge_angle) const;
+};
+
+/// Lines across the outline of a luminous body, on a plane behind it. Those that the body hides are
+/// lit by it, whatever part of it is in front: its contour alone counts
+/// (docs/theory/areas.md#bodies-by-their-contour). Places are uniform in an angle between two
+/// places where the contour turns, where lines end like roots. For one thread; refers to the body.
+class ContourWidth final : public AreaWidth {
+public:
+    /// Widths that together are all of the light; none if the body sends none to the element.
+    static std::vector<ContourWidth> all(const ContourLight& light, const Vec3& point,
+                                         const Vec3& normal);
+    /// One width of the light, but for a thousandth of the half-space near the horizon if the body
+    /// is near; nullopt if it sends none.
+    static std::optional<ContourWidth> of(const ContourLight& light, const Vec3& point,
+                                          const Vec3& normal);
+    SubAxis sub_axis(double place) const override;
+    std::vector<double> cuts() const override;
+    double place_in(const Vec3& way) const override;
+    /// Place of the body's front.
+    Vec3 place(const SubAxis& axis, double half_tangent) const override;
+    /// A box around the body.
+    Prism around() const override;
+
+    /// Parts of a line of line_of() where nothing that `others` knows of is before the body.
+    /// Chords of its front are queried; beside the body everything counts as visible.
+    IntervalSet visible_on(const Segment& line, const Visibility& others) const;
+
+private:
+    ContourWidth(const LuminousBody& body, const ContourView& view, const Vec3& normal);
+    std::vector<ParameterInterval> chords(double v) const override;
+    void find_turns();
+    /// Unit direction to a place on the plane.
+    Vec3 way_to(double u, double v) const;
+    /// Place of the body's front in a direction.
+    Vec3 front(const Vec3& way) const;
+    /// Place along the lines of the direction to a place.
+    double u_of(const Vec3& at) const;
+    /// Ends of straight pieces before the body from one place of its front to another.
+    void add_pieces(const Vec3& from, const Vec3& to, double v, int depth,
+                    std::vector<Segment>& pieces) const;
+
+    const LuminousBody* body_;
+    ContourView view_;
+    std::unique_ptr<Visibility> outline_;
+    std::vector<double> turns_; ///< wedge angles, rising; none without light
+    mutable std::vector<std::pair<double, std::vector<ParameterInterval>>> known_; ///< chords by v
+};
+
+/// Projected solid angle in sr of the lines of a width above the horizon, to 1e-6 of itself.
+double projected_solid_angle(const ContourWidth& width);
+
+/// Visibility of the front of a luminous body past other bodies, on the lines of its width. Keeps
+/// references to both.
+class VisibleFront final : public Visibility {
+public:
+    VisibleFront(const ContourWidth& width, const Visibility& others)
+        : width_(width), others_(others) {}
+
+    using Visibility::intervals;
+    IntervalSet intervals(const Segment& line) const override {
+        return width_.visible_on(line, others_);
+    }
+    std::vector<std::optional<bool>> classify_prisms(std::span<const Prism> prisms) const override {
+        return others_.classify_prisms(prisms);
+    }
+    std::vector<CriticalSlice> turns(const Prism& prism, const TurnRule& rule) const override {
+        return others_.turns(prism, rule);
+    }
+
+private:
+    const ContourWidth& width_;
+    const Visibility& others_;
+};
+
+/// Lines of a light; nullopt if it sends none to the surface element.
+inline std::optional<ContourWidth> width_of(const ContourLight& light, const Vec3& point,
+                                            const Vec3& normal) {
+    return ContourWidth::of(light, point, normal);
+}
+
+} // namespace keiko
