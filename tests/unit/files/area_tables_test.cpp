@@ -1,5 +1,6 @@
 #include "keiko/base/error.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/files/scene/scene_file.h"
 #include "keiko/math/polygon.h"
 
 #include "tests/support/rig_text.h"
@@ -89,6 +90,30 @@ TEST(AreaTables, BadPanelsAreNamed) {
     std::string many;
     for (int i = 0; i <= 1000; ++i) many += "[" + std::to_string(i) + ", 0, 0], ";
     EXPECT_EQ(rig_error(corners + "[" + many + "]\n"), at + "must be at most 1000");
+}
+
+/// A panel with maps is a body of a scene, and no light of its rig.
+TEST(AreaTables, MapMakesABodyOfAPanel) {
+    const std::string map = "[[polygon.map]]\ntexture = { kind = \"checker\" }\nlow = 0.2\n";
+    const std::string own = panel.substr(head.size());
+    const SceneSpec scene = parse_scene("format = \"keiko-scene/1\"\n" + own + own +
+                                            "luminance = [1, 2, 3]\ntwo_sided = true\n" + map,
+                                        "a");
+    ASSERT_TRUE(scene.rig);
+    EXPECT_EQ(scene.rig->sources.size(), 1U);
+    ASSERT_EQ(scene.primitives.size(), 1U);
+    const PrimitiveSpec& body = scene.primitives[0];
+    EXPECT_EQ(body.name, "polygon.1");
+    EXPECT_EQ(std::get<PolygonShape>(body.shape).corners,
+              std::get<PolygonLight>(scene.rig->sources[0]).corners);
+    EXPECT_EQ(body.material.emits, Rgb(1, 2, 3));
+    EXPECT_TRUE(body.material.emits_both_ways);
+    ASSERT_EQ(body.material.maps.size(), 1U);
+    EXPECT_EQ(body.material.maps[0].drives, MappedQuantity::emission);
+    EXPECT_EQ(body.material.maps[0].low, Rgb(0.2));
+    EXPECT_EQ(rig_error(panel + map),
+              "bad.toml:4:12: polygon[0].map: belongs to scenes: a panel of a rig is alike all "
+              "over");
 }
 
 /// Six panels that shine outwards, whichever way the edges turn.

@@ -56,13 +56,15 @@ inline const std::string head = "format = \"keiko-scene/1\"\n[[model]]\nfile = "
 inline const std::string paint = head + "[model.material]\ndiffuse = 0.5\n";
 inline const std::string map_head = paint + "[[model.material.map]]\ndrives = \"diffuse\"\n";
 inline const std::string noise = "texture = { kind = \"noise\" }\n";
+inline const std::string checker = "texture = { kind = \"checker\" }";
 inline const std::string picture = quoted(test::repository("docs/images/hood.png"));
 inline const std::string square =
     "[[0, 0, 2000], [0, 900, 2000], [900, 900, 2000], [900, 0, 2000]]";
 inline const std::string triangle = "[[100, 100, 2000], [100, 300, 2000], [300, 300, 2000]]";
 
 inline Table light(const std::string& name, Keys keys) {
-    return {"[[" + name + "]]", name + "[0]", "/$defs/" + name, std::move(keys), head};
+    const std::string definition = name == "polygon" ? "mappedPolygon" : name; // of a scene
+    return {"[[" + name + "]]", name + "[0]", "/$defs/" + definition, std::move(keys), head};
 }
 
 inline Table map_part(const std::string& name, Keys keys, std::string before,
@@ -191,6 +193,17 @@ inline std::vector<Table> light_tables() {
         light("sphere", and_keys(ball, flux)),
         light("polygon", and_keys(and_keys(corners, {{"two_sided", "true"}}), bright)),
         light("polygon", and_keys(corners, flux)),
+        light("polygon", and_keys(corners, {{"map", "[ { " + checker + " } ]"}})),
+        {"[[polygon.map]]",
+         "polygon[0].map[0]",
+         "/$defs/luminanceMap",
+         {{"texture", "{ kind = \"checker\" }"},
+          {"projection", "{ kind = \"planar\" }"},
+          {"low", "[0, 0.1, 0]"},
+          {"high", "2"},
+          {"factor", "0.5"},
+          {"region", "{ corners = [[0, 0], [1, 0], [1, 1]] }"}},
+         head + "[[polygon]]\ncorners = " + square + "\n"},
         light("sign", and_keys(and_keys(corners, bright),
                                {{"legend", "[ { corners = " + triangle + " } ]"}})),
         {"[[sign.legend]]", "sign[0].legend[0]", "/$defs/sign/properties/legend/items",
@@ -221,7 +234,7 @@ inline std::vector<Table> material_tables() {
                       {"flip_green", "true"}}),
         map_part("region",
                  {{"projection", "{ kind = \"planar\" }"}, {"corners", "[[0, 0], [1, 0], [1, 1]]"}},
-                 map_head + noise, "/$defs/map/properties/region"),
+                 map_head + noise, "/$defs/mapRegion"),
         texture({{"kind", "\"picture\""}, {"file", picture}, {"srgb", "true"}}),
         texture({{"kind", "\"grid\""}, {"size", "20"}, {"line", "0.1"}}),
         texture({{"kind", "\"brick\""}, {"brick", "[2, 1]"}, {"mortar", "0.1"}}),

@@ -122,7 +122,7 @@ TEST(PrimitiveTable, BadPrimitivesOfAScene) {
     };
     EXPECT_EQ(error(scene),
               "bad.toml:1:1: the scene has no body: neither a [[model]] nor a [[primitive]] that "
-              "is one");
+              "is one nor a [[polygon]] with a map");
     EXPECT_EQ(error(scene + "material = \"concrete\"\nluminance = 5\n"),
               "bad.toml:7:12: primitive[0].material: give either a material, which may emit, or a "
               "luminance");

@@ -169,7 +169,7 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "2:13: max_depth: must be at least 0 and at most 64, is 65");
     EXPECT_EQ(error("view = \"top\"\n"),
               "1:1: the scene has no body: neither a [[model]] nor a [[primitive]] that is "
-              "one");
+              "one nor a [[polygon]] with a map");
 }
 
 TEST_F(SceneFile, NumbersBeyondAllSenseAreRefused) {

@@ -85,5 +85,25 @@ TEST(Primitive, DiscIsTrimmedByItsRim) {
     EXPECT_NEAR(surface_area(disc), pi * 625, 1e-10);
 }
 
+/// Trim curves of an L run along its sides; its face is on the side that sees them anticlockwise.
+TEST(Primitive, PolygonIsTrimmedByItsSides) {
+    const PolygonShape shape{
+        {{0, 0, 5}, {0, 600, 5}, {200, 600, 5}, {200, 200, 5}, {500, 200, 5}, {500, 0, 5}}};
+    const SurfaceModel model = primitive_model(shape, "L");
+    ASSERT_EQ(model.faces.size(), 1U);
+    ASSERT_EQ(model.trim_curves.size(), 6U);
+    for (std::uint32_t c = 0; c < 6; ++c)
+        for (const double t : {0.0, 0.25}) {
+            const Vec3 &a = shape.corners[(c + 5) % 6], &b = shape.corners[c];
+            const Vec3 at =
+                evaluate(model.patch(0), evaluate(model.trim_curve(c), t, 0)[0], 0).position();
+            EXPECT_LT((at - (a + (b - a) * t)).length(), 1e-12) << c << t;
+        }
+    const SurfaceDerivatives s = evaluate(model.patch(0), Vec2(0.5), 1);
+    EXPECT_GT(s.du().cross(s.dv()).dot(Vec3(0, 0, -1)), 0);
+    EXPECT_GT(s.du().dot(Vec3(0, 1, 0)), 0); // u along the first side
+    EXPECT_NEAR(surface_area(shape), 600 * 200 + 300 * 200, 1e-9);
+}
+
 } // namespace
 } // namespace keiko

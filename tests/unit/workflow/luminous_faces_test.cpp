@@ -99,6 +99,68 @@ TEST(LuminousFaces, MappedPanelHasTheLightOfItsMap) {
     }
 }
 
+/// An L with a checker on both faces, held against small panels of the map's own values.
+TEST(LuminousFaces, MappedPolygonShinesOnTheSidesThatItHas) {
+    const PolygonShape shape{{{0, 0, 500},
+                              {0, 600, 500},
+                              {200, 600, 500},
+                              {200, 200, 500},
+                              {600, 200, 500},
+                              {600, 0, 500}}}; // shines down
+    const PlaneShape around = shape.around();
+    const SurfaceModel model = primitive_model(shape, "L");
+    Material material = luminous(Rgb(60));
+    material.maps.push_back({.drives = MappedQuantity::emission});
+    material.maps[0].texture.kind = TextureKind::checker;
+    material.maps[0].projection.kind = ProjectionKind::parameter;
+    material.maps[0].projection.scale = {3, 3};
+    constexpr int side = 180;
+    const Vec3 u = around.u / side, v = around.v / side;
+    for (const bool both : {false, true}) {
+        material.emits_both_ways = both;
+        const std::vector<LightSource> lights = luminous_faces(model, {&material, 1}, {}, {});
+        for (const Vec3& point : {Vec3(250, 250, 100), Vec3(50, 500, 900)}) {
+            const Vec3 normal(0, 0, point.z < 500 ? 1 : -1);
+            double exact = 0, whole = 0;
+            for (int i = 0; i < side; ++i)
+                for (int k = 0; k < side; ++k) {
+                    const Vec3 at = around.origin + u * i + v * k;
+                    const Vec3 middle = at + (u + v) / 2;
+                    if (middle.x > 200 && middle.y > 200) continue;
+                    const PolygonLight cell{{at, at + u, at + u + v, at + v}, Rgb(60), true};
+                    const double lx = illuminance_from(cell, {}, point, normal, Unoccluded()).g;
+                    whole += lx;
+                    if ((3 * i / side + 3 * k / side) % 2 == 1) exact += lx;
+                }
+            const bool is_lit = both || point.z < 500;
+            EXPECT_NEAR(lit_by(lights, point, normal), is_lit ? exact : 0, 3e-2 * whole)
+                << both << point;
+        }
+    }
+}
+
+/// Solids that are not convex light as what is visible of them, one light each; a convex one of
+/// patches does so by its faces.
+TEST(LuminousFaces, ClosedBodiesAreOneLight) {
+    const FrustumShape can{{0, 0, 500}, {0, 0, 700}, 60, 90, false};
+    EXPECT_EQ(lights_of_model(primitive_model(can, "can")).size(), 1U);
+    FrustumShape open = can;
+    open.open = true;
+    EXPECT_GT(lights_of_model(primitive_model(open, "pipe")).size(), 8U);
+    std::vector<Material> two(3, luminous(Rgb(7)));
+    two[1].emits = Rgb(9); // of an end, so that neither part is closed
+    EXPECT_GT(luminous_faces(primitive_model(can, "can"), two, {}, {}).size(), 8U);
+}
+
+/// A flat round face is one panel of its own area, nearly.
+TEST(LuminousFaces, DiscOfAModelLosesLittleAtItsRim) {
+    const DiscShape disc{{0, 0, 500}, {0, 0, -1}, 300};
+    const std::vector<LightSource> lights = lights_of_model(primitive_model(disc, "disc"));
+    ASSERT_EQ(lights.size(), 1U);
+    const double exact = lit_by(lights_of(disc, Rgb(7)), Vec3(50, 0, 0), {0, 0, 1});
+    EXPECT_NEAR(lit_by(lights, Vec3(50, 0, 0), {0, 0, 1}), exact, 3e-4 * exact);
+}
+
 TEST(LuminousFaces, DarkBodiesHaveNone) {
     const SurfaceModel model = primitive_model(DiscShape{{0, 0, 0}, {0, 0, 1}, 5}, "disc");
     EXPECT_TRUE(luminous_faces(model, std::vector<Material>(1), {}, {}).empty());

@@ -30,13 +30,19 @@ Rgb luminance_of_area(const TomlTable& table, const Rgb& otherwise, double area)
 
 } // namespace
 
-PolygonLight polygon_light_from(const TomlTable& table) {
+PolygonLight polygon_keys_from(const TomlTable& table) {
     PolygonLight light;
     light.corners = corners_from(table);
     light.two_sided = table.flag("two_sided").value_or(light.two_sided);
     require_ring(table, light.corners);
     const double area = polygon_normal(light.corners).length() / 2 * (light.two_sided ? 2 : 1);
     light.luminance = luminance_of_area(table, light.luminance, area);
+    return light;
+}
+
+PolygonLight polygon_light_from(const TomlTable& table) {
+    PolygonLight light = polygon_keys_from(table);
+    table.tables("map"); // none, but a misspelt one is corrected
     table.finish();
     return light;
 }

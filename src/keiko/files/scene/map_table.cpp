@@ -241,12 +241,17 @@ void require_texture(const TomlTable& table, const MaterialMap& map) {
     if (!solid && peel) throw table.error("projection", "orange-peel lies in space, in mm");
 }
 
-MaterialMap map_from(const TomlTable& table, const Material& material) {
-    MaterialMap map;
-    map.drives = static_cast<MappedQuantity>(table.required(
+MappedQuantity quantity_from(const TomlTable& table, const Material& material) {
+    const auto drives = static_cast<MappedQuantity>(table.required(
         "drives", table.choice("drives", {"diffuse", "roughness", "gloss", "transmission", "bump",
                                           "normal", "emission"})));
-    require_owner(table, map.drives, material);
+    require_owner(table, drives, material);
+    return drives;
+}
+
+MaterialMap map_from(const TomlTable& table, MappedQuantity drives) {
+    MaterialMap map;
+    map.drives = drives;
     const auto texture = table.table("texture");
     if (!texture) table.refuse_missing("texture");
     map.texture = texture_from(*texture, map.drives);
@@ -266,12 +271,28 @@ MaterialMap map_from(const TomlTable& table, const Material& material) {
 
 } // namespace
 
-std::vector<MaterialMap> maps_from(const TomlTable& table, const Material& material) {
+namespace {
+
+/// The tables `map` of a table, each read by `read`.
+template <class Read>
+std::vector<MaterialMap> all_maps(const TomlTable& table, const Read& read) {
     constexpr std::size_t most = 64;
     std::vector<MaterialMap> maps;
-    for (const TomlTable& map : table.tables("map")) maps.push_back(map_from(map, material));
+    for (const TomlTable& map : table.tables("map")) maps.push_back(read(map));
     if (maps.size() > most) throw table.error("map", "more than 64 maps");
     return maps;
+}
+
+} // namespace
+
+std::vector<MaterialMap> maps_from(const TomlTable& table, const Material& material) {
+    return all_maps(
+        table, [&](const TomlTable& map) { return map_from(map, quantity_from(map, material)); });
+}
+
+std::vector<MaterialMap> luminance_maps_from(const TomlTable& table) {
+    return all_maps(table,
+                    [](const TomlTable& map) { return map_from(map, MappedQuantity::emission); });
 }
 
 } // namespace keiko

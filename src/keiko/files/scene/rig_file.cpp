@@ -62,7 +62,9 @@ LightRig rig_from(const TomlTable& table) {
     for (const TomlTable& t : table.tables("c_plane")) take(t, c_plane_from(t));
     for (const TomlTable& t : table.tables("spotlight")) take(t, spotlight_from(t));
     for (const TomlTable& t : table.tables("luminaire")) take(t, luminaire_from(t));
-    for (const TomlTable& t : table.tables("polygon")) take(t, polygon_light_from(t));
+    for (const TomlTable& t : table.tables("polygon"))
+        if (!t.has("map")) // which makes a part of the scene of it
+            take(t, polygon_light_from(t));
     for (const TomlTable& t : table.tables("sphere")) take(t, sphere_light_from(t));
     for (const TomlTable& t : table.tables("box"))
         for (LightSource& face : box_lights_from(t)) take(t, std::move(face));
@@ -93,6 +95,9 @@ LightRig whole_rig(const TomlTable& root) {
     for (const TomlTable& table : root.tables("primitive"))
         if (table.has("material"))
             throw table.error("material", "belongs to scenes: a lamp of a rig has a luminance");
+    for (const TomlTable& table : root.tables("polygon"))
+        if (table.has("map"))
+            throw table.error("map", "belongs to scenes: a panel of a rig is alike all over");
     root.finish();
     if (rig.sources.empty() && rig.ambient == Rgb(0))
         throw root.error(

@@ -84,8 +84,10 @@ std::string table_text(const EllipsoidLight& light);
 Rgb luminance_from(const TomlTable& table, const Rgb& otherwise,
                    const std::function<double(double)>& of_flux);
 
-/// The panel of a [[polygon]]. Throws Error with file, line and column.
+/// The panel of a [[polygon]] without maps. Throws Error with file, line and column.
 PolygonLight polygon_light_from(const TomlTable& table);
+/// The panel by the keys of a [[polygon]], which may have others. Throws Error as above.
+PolygonLight polygon_keys_from(const TomlTable& table);
 /// A [[polygon]] that reads back as the same panel.
 std::string table_text(const PolygonLight& light);
 

@@ -3,6 +3,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
 #include "keiko/files/scene/environment_table.h"
+#include "keiko/files/scene/map_table.h"
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/files/scene/rig_tables.h"
@@ -201,6 +202,30 @@ void take_primitive(const TomlTable& table, const std::vector<Material>& materia
         scene.rig->sources.push_back(std::move(light));
 }
 
+/// A [[polygon]] with maps: a flat body that reflects nothing, and emits what they vary.
+PrimitiveSpec mapped_polygon_from(const TomlTable& table, std::size_t number) {
+    const PolygonLight light = polygon_keys_from(table);
+    PrimitiveSpec panel;
+    panel.shape = PolygonShape{light.corners};
+    panel.name = "polygon." + std::to_string(number);
+    panel.material.diffuse = Rgb(0);
+    panel.material.refractive_index = 1;
+    panel.material.emits = light.luminance;
+    panel.material.emits_both_ways = light.two_sided;
+    panel.material.maps = luminance_maps_from(table);
+    table.finish();
+    return panel;
+}
+
+/// Panels with maps, named by their number among all panels.
+void take_mapped_polygons(const TomlTable& root, SceneSpec& scene) {
+    std::size_t number = 0;
+    for (const TomlTable& table : root.tables("polygon")) {
+        if (table.has("map")) scene.primitives.push_back(mapped_polygon_from(table, number));
+        ++number;
+    }
+}
+
 CausticSpec caustics_from(const TomlTable& table) {
     CausticSpec caustics;
     caustics.detail = table.integer("detail", 8, 2048).value_or(caustics.detail);
@@ -253,6 +278,7 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     take_environment(root, scene);
     for (const TomlTable& table : root.tables("primitive"))
         if (table.has("material")) take_primitive(table, materials, scene);
+    take_mapped_polygons(root, scene);
     if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
     if (const auto caustics = root.table("caustics")) scene.caustics = caustics_from(*caustics);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
@@ -262,7 +288,9 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     root.finish();
     if (scene.models.empty() && scene.primitives.empty())
         throw root.error(
-            "", "the scene has no body: neither a [[model]] nor a [[primitive]] that is one");
+            "",
+            "the scene has no body: neither a [[model]] nor a [[primitive]] that is one nor a "
+            "[[polygon]] with a map");
     return scene;
 }
 

@@ -1,6 +1,8 @@
 #include "keiko/geometry/model/primitive.h"
 
 #include "keiko/math/axes.h"
+#include "keiko/math/bounds.h"
+#include "keiko/math/polygon.h"
 #include "keiko/math/quadrature.h"
 
 #include <array>
@@ -79,6 +81,25 @@ public:
         }
         end_face();
     }
+    /// The rectangle around it, trimmed by its sides.
+    void add(const PolygonShape& shape) {
+        const PlaneShape around = shape.around();
+        add(around);
+        const Vec3 u = around.u / around.u.length2(), v = around.v / around.v.length2();
+        const auto place = [&](const Vec3& corner) {
+            const Vec3 way = corner - around.origin;
+            return Vec3(u.dot(way), v.dot(way), 1);
+        };
+        model_.faces.back().loop_count = 1;
+        model_.trim_loops.push_back({size_of(model_.trim_curves), size_of(shape.corners)});
+        Vec3 from = shape.corners.back();
+        for (const Vec3& corner : shape.corners) {
+            model_.trim_curves.push_back({size_of(model_.trim_points), 1, no_index});
+            model_.trim_points.push_back(place(from));
+            model_.trim_points.push_back(place(corner));
+            from = corner;
+        }
+    }
     /// Quarters of the lateral surface, then the discs of the ends that have a size.
     void add(const FrustumShape& shape) {
         begin_face(shape.radius == shape.to_radius ? "cylinder" : "cone");
@@ -153,6 +174,9 @@ double area_of(const PlaneShape& shape) {
 double area_of(const DiscShape& shape) {
     return pi * shape.radius * shape.radius;
 }
+double area_of(const PolygonShape& shape) {
+    return polygon_normal(shape.corners).length() / 2;
+}
 double area_of(const BoxShape& shape) {
     double sum = 0;
     for (const PlaneShape& face : shape.faces()) sum += area_of(face);
@@ -185,6 +209,17 @@ double area_of(const EllipsoidShape& shape) {
 }
 
 } // namespace
+
+PlaneShape PolygonShape::around() const {
+    const Vec3& first = corners[0];
+    const Vec3 along = (corners[1] - first).normalized();
+    const Vec3 across = polygon_normal(corners).cross(along).normalized();
+    Box2 box;
+    for (const Vec3& corner : corners)
+        box.extend(Vec2(along.dot(corner - first), across.dot(corner - first)));
+    return {first + along * box.lower.x + across * box.lower.y, along * box.extent().x,
+            across * box.extent().y};
+}
 
 std::vector<PlaneShape> BoxShape::faces() const {
     std::vector<PlaneShape> faces;

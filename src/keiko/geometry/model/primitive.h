@@ -53,14 +53,26 @@ struct BoxShape {
     bool operator==(const BoxShape&) const = default;
 };
 
+/// A plane polygon, convex or not, whose outline neither crosses nor touches itself. Its face is
+/// the one from which the corners run anticlockwise.
+struct PolygonShape {
+    std::vector<Vec3> corners; ///< mm, at least 3 in a plane
+
+    /// The rectangle around it, its `u` along the first side, `v` to the left of it.
+    PlaneShape around() const;
+    bool operator==(const PolygonShape&) const = default;
+};
+
 /// A body or a face with a name of its own in geometry.
-using PrimitiveShape = std::variant<EllipsoidShape, FrustumShape, DiscShape, PlaneShape, BoxShape>;
+using PrimitiveShape =
+    std::variant<EllipsoidShape, FrustumShape, DiscShape, PlaneShape, BoxShape, PolygonShape>;
 
 /// mm2, of all faces: closed forms, of an ellipsoid by quadrature.
 double surface_area(const PrimitiveShape& shape);
 
 /// The exact patches of a primitive, its faces outwards: rational biquadratic octants of an
-/// ellipsoid, quarters of a frustum, plane faces, those of discs trimmed by circles.
+/// ellipsoid, quarters of a frustum, plane faces, those of discs trimmed by circles and those of
+/// polygons by their sides.
 SurfaceModel primitive_model(const PrimitiveShape& shape, const std::string& name);
 
 } // namespace keiko

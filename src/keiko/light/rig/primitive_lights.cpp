@@ -34,6 +34,10 @@ struct Lights {
         return lights;
     }
 
+    std::vector<LightSource> operator()(const PolygonShape& shape) const {
+        return {PolygonLight{shape.corners, luminance}};
+    }
+
 private:
     PolygonLight panel(const PlaneShape& face) const {
         const auto& [origin, u, v] = face;
