@@ -2,6 +2,7 @@
 
 #include "keiko/base/units.h"
 #include "keiko/inspect/basics/line_field.h"
+#include "keiko/light/rig/rig_areas.h"
 
 #include <algorithm>
 #include <cmath>
@@ -50,9 +51,50 @@ double light_of(const PixelValues& phases, int x, int y) {
     return light_share(phase - reach, phase + reach);
 }
 
-std::string band_words(AnalysisMode look) {
+/// Area lights that the normals of a surface meet: the highlights of lights without a pitch.
+class MetLights {
+public:
+    MetLights(const LightRig& rig, const FilmSight& sight) : areas_(rig), sight_(sight) {}
+
+    bool empty() const { return areas_.empty(); }
+    /// Share of a pixel whose normals meet a light, 0 to 1.
+    double share(int x, int y, const Seen& seen) const {
+        const Change across = change(x, y, 1, 0, seen), up = change(x, y, 0, 1, seen);
+        const RayDifferentials spread{.origin_dx = across.place,
+                                      .origin_dy = up.place,
+                                      .direction_dx = across.normal,
+                                      .direction_dy = up.normal};
+        double left = 1;
+        for (const RigAreas::Layer& layer :
+             areas_.along(seen.place, seen.normal, spread, std::numeric_limits<double>::infinity()))
+            left *= 1 - layer.hit.coverage;
+        return 1 - left;
+    }
+
+private:
+    struct Change {
+        Vec3 place{0}, normal{0}; ///< per pixel
+    };
+    /// Change to the next pixel on the same face, or from the last; none beside others.
+    Change change(int x, int y, int dx, int dy, const Seen& seen) const {
+        for (const int way : {1, -1}) {
+            const int i = x + way * dx, k = y + way * dy;
+            if (i < 0 || k < 0 || i >= sight_.width() || k >= sight_.height()) continue;
+            if (sight_.face(i, k) != sight_.face(x, y)) continue;
+            if (const auto other = sight_.at(i, k))
+                return {(other->place - seen.place) * way, (other->normal - seen.normal) * way};
+        }
+        return {};
+    }
+
+    RigAreas areas_;
+    const FilmSight& sight_;
+};
+
+std::string band_words(AnalysisMode look, bool has_areas) {
     if (look == AnalysisMode::zebra) return "zebra: mirrored rings of 5 degrees about the vertical";
     if (look == AnalysisMode::isophote) return "isophotes: bands of 2.5 degrees from the vertical";
+    if (has_areas) return "highlights: normals that meet lamps, or the plane of a row, by pitch";
     return "highlight lines: normals that meet the lamps' plane, by pitch";
 }
 
@@ -74,12 +116,17 @@ Image band_picture(AnalysisMode look, const FilmSight& sight, const Camera& came
         const auto seen = sight.at(x, y);
         return seen ? phase_of(look, *seen, planes) : none;
     });
-    return with_caption(
-        shaded_picture(sight,
-                       [&](int x, int y, const Seen&) {
-                           return Rgb(dark + (light - dark) * light_of(phases, x, y));
-                       }),
-        band_words(look));
+    const MetLights met(look == AnalysisMode::highlight ? rig : LightRig(), sight);
+    const auto light_at = [&](int x, int y, const Seen& seen) {
+        if (met.empty()) return light_of(phases, x, y);
+        const double of_rows = std::isnan(phases.at(x, y)) ? 0 : light_of(phases, x, y);
+        return std::max(of_rows, met.share(x, y, seen));
+    };
+    return with_caption(shaded_picture(sight,
+                                       [&](int x, int y, const Seen& seen) {
+                                           return Rgb(dark + (light - dark) * light_at(x, y, seen));
+                                       }),
+                        band_words(look, !met.empty()));
 }
 
 } // namespace keiko

@@ -6,8 +6,9 @@
 namespace keiko {
 
 /// Picture of dark and light bands of zebra, isophote or highlight, averaged over pixels. Highlight
-/// bands are as wide as the gaps between them; a surface whose normal meets no C-plane of the rig
-/// is grey. `camera` is that of `sight`.
+/// bands of rows are as wide as the gaps between them; places whose normal meets an area light of
+/// the rig are light, too. A surface without either is dark, or grey if the rig has no area lights.
+/// `camera` is that of `sight`.
 Image band_picture(AnalysisMode look, const FilmSight& sight, const Camera& camera,
                    const LightRig& rig);
 

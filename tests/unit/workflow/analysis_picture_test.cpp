@@ -286,5 +286,33 @@ TEST(AnalysisMode, HighlightBandsFollowTheLamps) {
     EXPECT_NEAR(*grey.pixel(100, 60), *grey.pixel(100, 62), 0.02);
 }
 
+/// Normals of a ball about the origin meet a globe, or a disc's or a panel's plane, within an
+/// angle.
+TEST(AnalysisMode, HighlightsShowPanelsAndGlobes) {
+    const Ball ball;
+    const double a = 600;
+    const PolygonLight panel{{{-a, -a, 1000}, {-a, a, 1000}, {a, a, 1000}, {a, -a, 1000}}};
+    const std::vector<std::pair<LightSource, double>> lights{
+        {SphereLight{{0, 0, 1000}, a}, std::asin(a / 1000)},
+        {DiscLight{{0, 0, 1000}, {0, 0, -1}, a}, std::atan(a / 1000)},
+        {panel, std::atan(a / 1000)}};
+    for (const auto& [light, widest] : lights) {
+        LightRig rig;
+        rig.sources = {light};
+        const Image picture =
+            analysis_picture(AnalysisMode::highlight, ball.film, ball.camera, rig);
+        int bright = 0, dark = 0;
+        for (int y = 2; y < 95; ++y) {
+            const double angle = pi / 2 - Ball::elevation(y) * pi / 180;
+            if (std::abs(angle - widest) < 0.05) continue;
+            const bool is_bright = *picture.pixel(100, y) > 0.3f;
+            EXPECT_EQ(is_bright, angle < widest) << y;
+            ++(is_bright ? bright : dark);
+        }
+        EXPECT_GT(bright, 5);
+        EXPECT_GT(dark, 5);
+    }
+}
+
 } // namespace
 } // namespace keiko
