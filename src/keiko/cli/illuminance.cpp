@@ -19,6 +19,7 @@ int illuminance(const IlluminanceArguments& arguments, const Job& job) {
     const StandardInput input(job);
     const StandardOutput output(job);
     const Scene scene = arguments.scene.open(job);
+    if (scene.rig) log_remarks(hidden_lamp_remarks(*scene.rig, scene.tracer.bounds()));
     const ByteSource read = [&](std::span<char> bytes) { return input.read(bytes); };
     const ByteSink write = [&](std::string_view text) { return output.write(text); };
     const std::uint64_t points = arguments.sight

@@ -90,6 +90,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Sc
                   const NamedView& view, const Job& job) {
     const LightRig rig = rig_of(scene, arguments, view, job);
     warn_of_thick_fog(scene, rig, view.camera.eye);
+    log_remarks(hidden_lamp_remarks(rig, scene.tracer.bounds()));
     note_environment(scene);
     PictureOptions options{.aovs = arguments.aovs(), .tubes = arguments.tubes()};
     options.light_error = arguments.light_error, options.edge_samples = arguments.edge_samples;
