@@ -15,11 +15,10 @@ double pulses_up_to(double x, double low, double high) {
 
 /// Mean over `width` around x of 1 in the intervals [n + low, n + high] and 0 between.
 double pulses(double x, double width, double low, double high) {
-    if (!(width > 0)) {
-        const double rest = x - std::floor(x);
-        return rest >= low && rest < high ? 1 : 0;
-    }
-    return (pulses_up_to(x + width / 2, low, high) - pulses_up_to(x - width / 2, low, high)) /
+    constexpr double narrowest = 1e-9; // below which the difference is one of rounding
+    const double rest = x - std::floor(x);
+    if (!(width > narrowest)) return rest >= low && rest < high ? 1 : 0;
+    return (pulses_up_to(rest + width / 2, low, high) - pulses_up_to(rest - width / 2, low, high)) /
            width;
 }
 

@@ -9,8 +9,8 @@ namespace keiko {
 std::vector<std::string> source_columns(const LightRig& rig) {
     // In the order of LightSource.
     constexpr std::array<std::string_view, std::variant_size_v<LightSource>> kinds{
-        "c_plane", "spotlight", "luminaire", "sun",  "polygon", "sphere",
-        "point",   "line",      "sky",       "disc", "frustum", "ellipsoid"};
+        "c_plane", "spotlight", "luminaire", "sun",     "polygon",   "sphere", "point",
+        "line",    "sky",       "disc",      "frustum", "ellipsoid", "body"};
     static_assert(!kinds.back().empty(), "each kind of light has a name");
     std::array<int, kinds.size()> counts{};
     std::vector<std::string> columns;

@@ -44,8 +44,8 @@ public:
     /// Widths that together are all of the light; none if the body sends none to the element.
     static std::vector<ContourWidth> all(const ContourLight& light, const Vec3& point,
                                          const Vec3& normal);
-    /// One width of the light, but for a thousandth of the half-space near the horizon if the body
-    /// is near; nullopt if it sends none.
+    /// One width of the light, of a near body without a thousandth of the half-space next to the
+    /// horizon; nullopt if it sends none.
     static std::optional<ContourWidth> of(const ContourLight& light, const Vec3& point,
                                           const Vec3& normal);
     SubAxis sub_axis(double place) const override;

@@ -17,7 +17,7 @@ TEST(Elevations, AreThoseAboveTheHorizon) {
     }
 }
 
-/// A lamp that stands upright on the horizon, but for rounding, is lit from its foot to its end.
+/// A lamp that stands upright on the horizon to within rounding is lit from its foot to its end.
 TEST(Elevations, OfUprightLinesSurviveRounding) {
     for (const double al : {1e-17, -1e-17, 1e-300, 0.0}) {
         const ParameterInterval up = above_horizon(al, 1, {-0.5, 0.75});
