@@ -12,7 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
+#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -20,11 +20,11 @@
 namespace keiko {
 namespace {
 
-/// Placed faces of one instance that shine with one luminance.
+/// Placed faces that shine with one luminance: all of their instances.
 struct LampFaces {
-    std::uint32_t instance = 0;
-    std::vector<std::uint32_t> faces; ///< rising
-    bool is_uniform = true;           ///< no map varies the luminance
+    std::vector<std::uint32_t> instances; ///< rising
+    std::vector<std::uint32_t> faces;     ///< rising
+    bool is_uniform = true;               ///< no map varies the luminance
 };
 
 /// The luminous faces of a model, instance by instance, by luminance and by what varies it.
@@ -44,7 +44,7 @@ std::vector<LampFaces> lamp_faces(const SurfaceModel& model, std::span<const Mat
                                         materials[lamp.faces.front()].emits == own.emits;
                              });
             if (found == lamps.end())
-                lamps.push_back({i, {f}, is_uniform});
+                lamps.push_back({{i}, {f}, is_uniform});
             else
                 found->faces.push_back(f);
         }
@@ -53,9 +53,23 @@ std::vector<LampFaces> lamp_faces(const SurfaceModel& model, std::span<const Mat
 }
 
 /// The faces of a lamp, placed.
-PlacedModel placed_lamp(SurfaceModel model, const LampFaces& lamp) {
-    model.instances = {model.instances[lamp.instance]};
+PlacedModel placed_lamp(const SurfaceModel& body, const LampFaces& lamp) {
+    SurfaceModel model = body;
+    model.instances.clear();
+    for (const std::uint32_t i : lamp.instances) model.instances.push_back(body.instances[i]);
     return placed_model(model, {}, lamp.faces);
+}
+
+/// One lamp of several with the same luminance.
+LampFaces joined(std::span<const LampFaces> lamps) {
+    LampFaces all;
+    for (const LampFaces& lamp : lamps) {
+        all.instances.insert(all.instances.end(), lamp.instances.begin(), lamp.instances.end());
+        all.faces.insert(all.faces.end(), lamp.faces.begin(), lamp.faces.end());
+    }
+    std::sort(all.faces.begin(), all.faces.end());
+    all.faces.erase(std::unique(all.faces.begin(), all.faces.end()), all.faces.end());
+    return all;
 }
 
 std::vector<Vec3> control_points(const SurfaceModel& model, const Face& face) {
@@ -116,20 +130,52 @@ public:
               const LoadOptions& options, double deviation, const Job& job)
         : body_(body), materials_(materials), options_(options), deviation_(deviation), job_(job) {}
 
-    std::vector<LightSource> of(const LampFaces& lamp) const {
-        const PlacedModel placed = placed_lamp(body_, lamp);
-        const bool curved = !is_flat(placed.model);
-        if (lamp.is_uniform && curved)
-            if (auto light = by_contour(placed.model, lamp)) return {std::move(*light)};
-        std::vector<PolygonLight> panels = in_panels(placed, lamp);
-        if (lamp.is_uniform && !curved && !is_convex(panels))
-            if (auto light = by_contour(placed.model, lamp)) return {std::move(*light)};
-        return {std::make_move_iterator(panels.begin()), std::make_move_iterator(panels.end())};
+    std::vector<LightSource> of(const std::vector<LampFaces>& lamps) const {
+        std::vector<LightSource> lights;
+        std::map<std::array<double, 3>, std::vector<LampFaces>> open; // by luminance
+        for (const LampFaces& lamp : lamps) {
+            const Rgb& emits = material_of(lamp).emits;
+            if (!lamp.is_uniform)
+                append(in_panels(lamp), lights);
+            else if (auto light = as_body(lamp))
+                append(std::move(*light), lights);
+            else
+                open[{emits.r, emits.g, emits.b}].push_back(lamp);
+        }
+        // Files may place each face of a body by itself.
+        for (const auto& [luminance, parts] : open) {
+            auto light = parts.size() > 1 ? as_body(joined(parts)) : std::nullopt;
+            if (light)
+                append(std::move(*light), lights);
+            else
+                for (const LampFaces& part : parts) append(in_panels(part), lights);
+        }
+        return lights;
     }
 
 private:
     const Material& material_of(const LampFaces& lamp) const {
         return materials_[lamp.faces.front()];
+    }
+    template <class Light>
+    static void append(std::vector<Light> more, std::vector<LightSource>& lights) {
+        for (Light& light : more) lights.emplace_back(std::move(light));
+    }
+    /// The light of a closed body, or of a convex one in panels; nullopt for any other.
+    std::optional<std::vector<LightSource>> as_body(const LampFaces& lamp) const {
+        const PlacedModel placed = placed_lamp(body_, lamp);
+        std::vector<LightSource> lights;
+        if (is_flat(placed.model)) {
+            std::vector<PolygonLight> panels = in_panels(placed, lamp);
+            if (is_convex(panels)) {
+                append(std::move(panels), lights);
+                return lights;
+            }
+        }
+        auto light = by_contour(placed.model, lamp);
+        if (!light) return std::nullopt;
+        lights.emplace_back(std::move(*light));
+        return lights;
     }
     /// nullopt for faces that are no closed body.
     std::optional<ContourLight> by_contour(const SurfaceModel& placed,
@@ -137,6 +183,9 @@ private:
         auto body = std::make_shared<const TracedLamp>(placed, job_);
         if (!body->is_closed()) return std::nullopt;
         return ContourLight{std::move(body), material_of(lamp).emits};
+    }
+    std::vector<PolygonLight> in_panels(const LampFaces& lamp) const {
+        return in_panels(placed_lamp(body_, lamp), lamp);
     }
     std::vector<PolygonLight> in_panels(const PlacedModel& placed, const LampFaces& lamp) const {
         const SurfaceModel& model = placed.model;
@@ -170,11 +219,7 @@ std::vector<LightSource> luminous_faces(const SurfaceModel& body,
                                         std::span<const Material> materials,
                                         const LoadOptions& options, const Job& job,
                                         double deviation) {
-    std::vector<LightSource> lights;
-    const BodyLamps lamps(body, materials, options, deviation, job);
-    for (const LampFaces& lamp : lamp_faces(body, materials))
-        for (LightSource& light : lamps.of(lamp)) lights.push_back(std::move(light));
-    return lights;
+    return BodyLamps(body, materials, options, deviation, job).of(lamp_faces(body, materials));
 }
 
 } // namespace keiko

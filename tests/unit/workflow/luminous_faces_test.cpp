@@ -147,6 +147,15 @@ TEST(LuminousFaces, ClosedBodiesAreOneLight) {
     FrustumShape open = can;
     open.open = true;
     EXPECT_GT(lights_of_model(primitive_model(open, "pipe")).size(), 8U);
+    // Half of it mirrored is the other half, a part of its own.
+    SurfaceModel halves =
+        primitive_model(EllipsoidShape{{0, 0, 500}, {90, 0, 0}, {0, 90, 0}, {0, 0, 60}}, "egg");
+    std::erase_if(halves.patches, [&](const Patch& patch) { return patch.map_u.begin >= 3; });
+    halves.faces[0].patch_count = static_cast<std::uint32_t>(halves.patches.size());
+    ASSERT_EQ(halves.patches.size(), 4U);
+    halves.instances.push_back(halves.instances[0]);
+    halves.instances[1].transform.rows[1] = Vec3(0, -1, 0);
+    EXPECT_EQ(lights_of_model(halves).size(), 1U);
     std::vector<Material> two(3, luminous(Rgb(7)));
     two[1].emits = Rgb(9); // of an end, so that neither part is closed
     EXPECT_GT(luminous_faces(primitive_model(can, "can"), two, {}, {}).size(), 8U);
