@@ -62,9 +62,10 @@ double projected_solid_angle(const FrustumLight& light, const Vec3& point, const
 double projected_solid_angle(const EllipsoidLight& light, const Vec3& point, const Vec3& normal);
 
 /// Projected solid angle in sr, 0 to pi, of what is visible of a luminous body above the horizon
-/// of `point` with unit `normal`, to 1e-6. By lines across its outline
+/// of `point` with unit `normal`, to the relative `error`. By lines across its outline
 /// (docs/theory/areas.md#bodies-by-their-contour); 0 inside of it.
-double projected_solid_angle(const ContourLight& light, const Vec3& point, const Vec3& normal);
+double projected_solid_angle(const ContourLight& light, const Vec3& point, const Vec3& normal,
+                             double error = 1e-6);
 
 /// True if a point lies on a panel, where its light is undefined.
 bool holds(const PolygonLight& light, const Vec3& point);

@@ -45,11 +45,12 @@ double visible_share(const EllipsoidLight& light, const Vec3& point, const Vec3&
 double visible_share(const ContourLight& light, const Vec3& point, const Vec3& normal,
                      const Visibility& visible, const WidthOptions& options) {
     double all = 0, seen = 0;
-    const std::vector<ContourWidth> widths = ContourWidth::all(light, point, normal);
+    const std::vector<ContourWidth> widths =
+        ContourWidth::all(light, point, normal, options.tolerance);
     for (const ContourWidth& width : widths) {
         const double share = visible_share(width, VisibleFront(width, visible), options);
         if (widths.size() == 1) return share;
-        const double own = projected_solid_angle(width);
+        const double own = projected_solid_angle(width, options.tolerance);
         all += own, seen += own * share;
     }
     return all > 0 ? seen / all : 0;

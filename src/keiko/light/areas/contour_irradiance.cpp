@@ -16,8 +16,7 @@ std::vector<Vec3> bounds_of(const ContourLight& light) {
     return bounds_of(SphereLight{light.body->bounds().center(), light.body->bounds().size()});
 }
 
-double projected_solid_angle(const ContourWidth& width) {
-    constexpr double relative = 1e-6;
+double projected_solid_angle(const ContourWidth& width, double error) {
     constexpr int most_halvings = 12; // where the contour meets the horizon
     const auto sent = [&](double place) {
         const SubAxis axis = width.sub_axis(place);
@@ -26,14 +25,15 @@ double projected_solid_angle(const ContourWidth& width) {
     const std::vector<double> cuts = width.cuts();
     double sum = 0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-        sum += integrate_paired(sent, Breakpoints(cuts[i], cuts[i + 1]), relative, most_halvings);
+        sum += integrate_paired(sent, Breakpoints(cuts[i], cuts[i + 1]), error, most_halvings);
     return sum;
 }
 
-double projected_solid_angle(const ContourLight& light, const Vec3& point, const Vec3& normal) {
+double projected_solid_angle(const ContourLight& light, const Vec3& point, const Vec3& normal,
+                             double error) {
     double sum = 0;
-    for (const ContourWidth& width : ContourWidth::all(light, point, normal))
-        sum += projected_solid_angle(width);
+    for (const ContourWidth& width : ContourWidth::all(light, point, normal, error))
+        sum += projected_solid_angle(width, error);
     return sum;
 }
 

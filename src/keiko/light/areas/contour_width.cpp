@@ -132,12 +132,12 @@ Vec3 ContourView::on_plane(double u, double wedge_angle) const {
 }
 
 std::vector<ContourWidth> ContourWidth::all(const ContourLight& light, const Vec3& point,
-                                            const Vec3& normal) {
+                                            const Vec3& normal, double error) {
     std::vector<ContourWidth> widths;
     const Vec3 from = light.body->in_front(point, normal);
     if (light.body->contains(from)) return widths;
     for (const ContourView& view : ContourView::all(*light.body, from, normal)) {
-        ContourWidth width(*light.body, view, normal);
+        ContourWidth width(*light.body, view, normal, error);
         if (!width.turns_.empty()) widths.push_back(std::move(width));
     }
     return widths;
@@ -154,12 +154,14 @@ std::optional<ContourWidth> ContourWidth::of(const ContourLight& light, const Ve
             : ContourView::within(*light.body, from, normal, lines_of(light.body->bounds(), normal),
                                   {-steepest, steepest}, steepest);
     if (!view) return std::nullopt;
-    ContourWidth width(*light.body, *view, normal);
+    constexpr double of_lobes = 1e-3; // whose rules halve the width where they must
+    ContourWidth width(*light.body, *view, normal, of_lobes);
     if (width.turns_.empty()) return std::nullopt;
     return width;
 }
 
-ContourWidth::ContourWidth(const LuminousBody& body, const ContourView& view, const Vec3& normal)
+ContourWidth::ContourWidth(const LuminousBody& body, const ContourView& view, const Vec3& normal,
+                           double error)
     : AreaWidth(view.point + view.ahead * view.distance, -view.ahead, view.along, view.point,
                 normal),
       body_(&body),
@@ -170,18 +172,20 @@ ContourWidth::ContourWidth(const LuminousBody& body, const ContourView& view, co
         for (const double angle : {view.turn.begin, view.turn.end})
             region.push_back(view.on_plane(u, angle));
     outline_ = body.outline_from(view.point, std::move(region));
-    find_turns();
+    find_turns(error);
 }
 
 /// Finds the wedge angles at which the contour turns, as far as there is light between.
-void ContourWidth::find_turns() {
+void ContourWidth::find_turns(double error) {
     const auto line = [&](double angle) {
         return Segment{view_.on_plane(view_.extent.begin, angle),
                        view_.on_plane(view_.extent.end, angle)};
     };
     const Segment first = line(view_.turn.begin), last = line(view_.turn.end);
     std::vector<double> angles{view_.turn.begin, view_.turn.end};
-    for (const CriticalSlice& slice : outline_->turns({first, first, last, last}, {1, 0}))
+    constexpr double in_numbers = 1e-4; // below which every turn counts
+    const TurnRule rule{.spacing = 0.5, .missed = error < in_numbers ? 0 : error};
+    for (const CriticalSlice& slice : outline_->turns({first, first, last, last}, rule))
         if (const double at = wedge_angle(slice.way); at > angles[0] && at < angles[1])
             angles.push_back(at);
     std::sort(angles.begin(), angles.end());

@@ -41,9 +41,10 @@ struct ContourView {
 /// places where the contour turns, where lines end like roots. For one thread; refers to the body.
 class ContourWidth final : public AreaWidth {
 public:
-    /// Widths that together are all of the light; none if the body sends none to the element.
+    /// Widths that together are all of the light; none if the body sends none to the element. They
+    /// are cut where the contour turns, as far as that matters by more than the relative `error`.
     static std::vector<ContourWidth> all(const ContourLight& light, const Vec3& point,
-                                         const Vec3& normal);
+                                         const Vec3& normal, double error);
     /// One width of the light, of a near body without a thousandth of the half-space next to the
     /// horizon; nullopt if it sends none.
     static std::optional<ContourWidth> of(const ContourLight& light, const Vec3& point,
@@ -61,9 +62,10 @@ public:
     IntervalSet visible_on(const Segment& line, const Visibility& others) const;
 
 private:
-    ContourWidth(const LuminousBody& body, const ContourView& view, const Vec3& normal);
+    ContourWidth(const LuminousBody& body, const ContourView& view, const Vec3& normal,
+                 double error);
     std::vector<ParameterInterval> chords(double v) const override;
-    void find_turns();
+    void find_turns(double error);
     /// Unit direction to a place on the plane.
     Vec3 way_to(double u, double v) const;
     /// Place of the body's front in a direction.
@@ -81,8 +83,8 @@ private:
     mutable std::vector<std::pair<double, std::vector<ParameterInterval>>> known_; ///< chords by v
 };
 
-/// Projected solid angle in sr of the lines of a width above the horizon, to 1e-6 of itself.
-double projected_solid_angle(const ContourWidth& width);
+/// Projected solid angle in sr of the lines of a width above the horizon, to the relative `error`.
+double projected_solid_angle(const ContourWidth& width, double error);
 
 /// Visibility of the front of a luminous body past other bodies, on the lines of its width. Keeps
 /// references to both.

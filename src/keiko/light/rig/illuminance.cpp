@@ -112,8 +112,7 @@ private:
     template <AreaLight Light>
     Rgb from(const Light& light) const {
         if (!(seen_[0].share > 0)) return {};
-        const Rgb lx =
-            light.luminance * (projected_solid_angle(light, point_, normal_) * seen_[0].share);
+        const Rgb lx = light.luminance * (whole_of(light) * seen_[0].share);
         if (!coat_ && !medium_) return lx;
         const auto width = width_of(light, point_, normal_);
         if (!width) return {};
@@ -122,6 +121,16 @@ private:
                    const double cosine = normal_.dot(way) / way.length();
                    return passed(place) * (coat_ ? coat_->entering(cosine) : 1);
                });
+    }
+
+    template <AreaLight Light>
+    double whole_of(const Light& light) const {
+        return projected_solid_angle(light, point_, normal_);
+    }
+    double whole_of(const ContourLight& light) const {
+        constexpr double picture_error = 1e-3, number_error = 1e-6;
+        return projected_solid_angle(light, point_, normal_,
+                                     model_ == TubeModel::automatic ? number_error : picture_error);
     }
 
     /// Illuminance by the whole of a panel of the sky, with the mean transmittance of a coat and of
