@@ -201,7 +201,11 @@ void ContourWidth::find_turns(double error) {
     std::size_t begin = 0, end = angles.size() - 1;
     while (begin < end && is_dark(begin)) ++begin;
     while (begin < end && is_dark(end - 1)) --end;
-    for (std::size_t i = begin; begin < end && i <= end; ++i) turns_.push_back(angles[i]);
+    // In pictures some turns suffice: rules halve the width where others matter.
+    const double apart = error < in_numbers ? 0 : 0.08 * (angles[end] - angles[begin]);
+    for (std::size_t i = begin; begin < end && i < end; ++i)
+        if (turns_.empty() || angles[i] - turns_.back() >= apart) turns_.push_back(angles[i]);
+    if (begin < end) turns_.push_back(angles[end]);
 }
 
 std::vector<double> ContourWidth::cuts() const {
