@@ -40,6 +40,16 @@ TEST(Patterns, PixelsShowTheirMean) {
         }
 }
 
+/// A pixel that has a width of rounding across a coordinate shows the place itself.
+TEST(Patterns, ExtentsOfRoundingAreNone) {
+    for (const double width : {1e-19, 1e-17, 3e-16, 1e-14, 1e-12})
+        for (const double x : {12.25, 12.75, 13.5, -3.25}) {
+            const TexturePlace place{Vec3(x, 0.5, 0.5), Vec3(width, 0.2, 0), Vec3(0, width, 0.2)};
+            EXPECT_NEAR(checker(place), checker({place.at}), 1e-12) << width << ' ' << x;
+            EXPECT_NEAR(grid_lines(place, 0.1, true), grid_lines({place.at}, 0.1, true), 1e-12);
+        }
+}
+
 TEST(Patterns, WoodAndMarbleFadeToGrey) {
     const TexturePlace wide{Vec3(0.3, 0.2, 0.1), Vec3(4, 0, 0), Vec3(0, 4, 0)};
     EXPECT_DOUBLE_EQ(wood(wide, 0.3, 1), 0.5);
