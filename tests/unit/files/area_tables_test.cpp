@@ -112,7 +112,7 @@ TEST(AreaTables, MapMakesABodyOfAPanel) {
     EXPECT_EQ(body.material.maps[0].drives, MappedQuantity::emission);
     EXPECT_EQ(body.material.maps[0].low, Rgb(0.2));
     EXPECT_EQ(rig_error(panel + map),
-              "bad.toml:4:12: polygon[0].map: belongs to scenes: a panel of a rig is alike all "
+              "bad.toml:4:1: polygon[0].map: belongs to scenes: a panel of a rig is alike all "
               "over");
 }
 
