@@ -13,7 +13,10 @@ TEST(Elevations, AreThoseAboveTheHorizon) {
         const ParameterInterval lit = above_horizon(al, nz, {-1, 1});
         const double t = test::uniform(random, -1, 1), eta = 2 * std::atan(t);
         const double height = al * std::cos(eta) + nz * std::sin(eta);
-        if (std::abs(height) > 1e-9) EXPECT_EQ(t > lit.begin && t<lit.end, height> 0) << al;
+        const bool is_lit = t > lit.begin && t < lit.end;
+        if (std::abs(height) > 1e-9) {
+            EXPECT_EQ(is_lit, height > 0) << al;
+        }
     }
 }
 
