@@ -51,28 +51,36 @@ private:
     }
 
     /// The piercing near a hit of the chord that begins at a point of the curve, by ever shorter
-    /// chords about it.
+    /// chords about it. Those of a level cover half a chord of the level before to either side: a
+    /// flat crossing of the exact curve may lie that far from the chord's.
     std::optional<Piercing> refined(const Hit& hit, double begin) const {
         if (is_own(hit) || is_at_end(hit.position)) return std::nullopt;
         Piercing found{begin + hit.t, hit.normal};
-        constexpr int most = 12; // shares of a chord down to rounding
-        double half = 0.5;
-        for (int i = 0; i < most; ++i) {
-            half /= 8;
-            const double low = std::max(found.t - half, begin);
-            const double high = std::min(found.t + half, begin + 1);
-            const Ray part = chord(curve_.course.at(low), curve_.course.at(high));
-            const auto next = hit_of(hit, part);
-            if (!next) break;
-            found = {low + next->t * (high - low), next->normal};
+        constexpr int levels = 8, chords = 8; // chords then deviate less than rounding
+        double length = 1;
+        for (int level = 0; level < levels; ++level) {
+            length /= chords / 2;
+            std::optional<Piercing> nearest;
+            for (int i = 0; i < chords; ++i) {
+                const auto here = on_chord(hit, found.t + (i - chords / 2) * length, length);
+                if (here &&
+                    (!nearest || std::abs(here->t - found.t) < std::abs(nearest->t - found.t)))
+                    nearest = here;
+            }
+            if (!nearest) break;
+            found = *nearest;
         }
         return found;
     }
 
-    /// The hit of a ray with the face of another one.
-    std::optional<Hit> hit_of(const Hit& other, const Ray& ray) const {
+    /// The piercing of the face of a hit by the chord from a parameter on.
+    std::optional<Piercing> on_chord(const Hit& other, double from, double length) const {
+        const double low = std::max(from, 0.0), high = std::min(from + length, curve_.course.end());
+        if (!(low < high)) return std::nullopt;
+        const Ray ray = chord(curve_.course.at(low), curve_.course.at(high));
         for (const Hit& hit : tracer_.all(ray))
-            if (hit.instance == other.instance && hit.face == other.face) return hit;
+            if (hit.instance == other.instance && hit.face == other.face)
+                return Piercing{low + hit.t * (high - low), hit.normal};
         return std::nullopt;
     }
 
