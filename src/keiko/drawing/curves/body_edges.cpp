@@ -143,12 +143,17 @@ void BodyEdges::add_seams(const std::vector<Seam>& seams, const Job& job) {
 
 void BodyEdges::add_free_edges(const std::vector<Seam>& seams) {
     const TakenBorders taken(seams);
-    for (const BoundaryInterval& border : borders_.all())
-        for (const ParameterInterval& part : taken.left(border)) {
+    for (const BoundaryInterval& border : borders_.all()) {
+        const std::vector<ParameterInterval> parts = taken.left(border);
+        const bool whole = parts.size() == 1 && parts[0].begin == 0 && parts[0].end == 1;
+        // What seams leave over at their ends, where corners do not meet, is no free edge.
+        const double shortest = whole ? shortest_edge : std::max(shortest_edge, options_.join);
+        for (const ParameterInterval& part : parts) {
             ModelCurve curve = curve_of(CurveKind::edge, borders_.curve(border), part, {});
             curve.faces = {face_of(border)};
-            if (curve.course.length() > shortest_edge) curves_.push_back(std::move(curve));
+            if (curve.course.length() > shortest) curves_.push_back(std::move(curve));
         }
+    }
 }
 
 std::vector<ParameterInterval> BodyEdges::material_parts(const CreaseLine& line) const {
