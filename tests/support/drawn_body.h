@@ -18,7 +18,7 @@ struct DrawnBody {
           projection(camera),
           edges(model, {.chord_error = chord_error}),
           outlines(find_outlines(model, LineEye(camera), chord_error)),
-          sight(tracer, projection),
+          sight(model, tracer, projection),
           pierced(find_piercings(edges.curves(), tracer)),
           image(projection, edges.occluding(), outlines.occluding, sight.size(), chord_error) {
         outlines.curves = find_piercings(outlines.curves, tracer);

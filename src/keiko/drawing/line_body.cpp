@@ -68,7 +68,7 @@ std::vector<Stroke> LineBody::parts(const Camera& camera, std::span<const ModelC
     const ImageProjection projection(camera);
     require_before_eye(camera, projection, tracer_.bounds());
     Outlines outlines = find_outlines(model_, LineEye(camera), chord_error_, job);
-    const SightTest sight(tracer_, projection);
+    const SightTest sight(model_, tracer_, projection);
     const OccluderImage image(projection, edges_->body.occluding(), outlines.occluding,
                               sight.size(), chord_error_);
     if (!wireframe) outlines.curves = find_piercings(std::move(outlines.curves), tracer_, job);
@@ -101,7 +101,7 @@ bool LineBody::is_visible(const Camera& camera, const Vec3& place) const {
     const ImageProjection projection(camera);
     ModelCurve point;
     for (const PlacedFace& face : placed_faces(model_)) point.faces.push_back(face);
-    return SightTest(tracer_, projection).visible(place, point);
+    return SightTest(model_, tracer_, projection).visible(place, point);
 }
 
 } // namespace keiko

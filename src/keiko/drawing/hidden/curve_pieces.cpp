@@ -5,6 +5,9 @@
 namespace keiko {
 namespace {
 
+/// Share of the body's size between places of a curve that lines of sight can tell apart.
+constexpr double nearest_places = 4e-6;
+
 /// Stretch of a curve between two changes, and the sum of those at its begin.
 struct Stretch {
     double begin = 0, end = 0;
@@ -28,7 +31,7 @@ double length_of(const CurveCourse& course, double begin, double end) {
 /// each other than that count as one, those at the ends of the curve as none.
 std::vector<Stretch> stretches_of(const ModelCurve& curve, std::span<const CountChange> changes,
                                   double size) {
-    const double shortest = 4e-6 * size;
+    const double shortest = nearest_places * size;
     std::vector<Stretch> stretches{{0, curve.course.end()}};
     for (const CountChange& change : changes) {
         Stretch& last = stretches.back();
@@ -48,43 +51,95 @@ class RayPieces {
 public:
     RayPieces(const ModelCurve& curve, const SightTest& sight) : curve_(curve), sight_(sight) {}
 
-    /// Adds a stretch without a known change. Rays at the points of the curve in it look for what
-    /// the search for changes has missed, and halving finds its place.
+    /// Adds a stretch without a known change. Rays at places of it look for what the search for
+    /// changes has missed.
     void add(const Stretch& stretch) {
-        const bool contour = curve_.is_contour_edge(stretch.middle(), sight_.projection());
-        const std::vector<double> probes = probes_of(stretch);
-        double begin = stretch.begin, last = probes.front();
-        bool visible = visible_at(last);
-        for (const double probe : probes) {
-            const bool next = visible_at(probe);
-            if (next != visible) {
-                const double change = change_between(last, probe, visible);
-                append({begin, change, visible, contour});
-                begin = change, visible = next;
-            }
-            last = probe;
+        std::vector<CurvePiece> runs = runs_of(stretch);
+        for (CurvePiece& run : runs) {
+            // One ray may hit the seam of a border that it passes. A run of such is none.
+            const Vec3 middle = curve_.course.at((run.begin + run.end) / 2);
+            const bool visible = sight_.visible(middle, curve_);
+            if (runs.size() > 1 && visible != run.visible &&
+                (visible || !sight_.visible_beside(middle, curve_)))
+                run.visible = visible;
+            append(run);
         }
-        append({begin, stretch.end, visible, contour});
     }
     std::vector<CurvePiece> take() { return std::move(pieces_); }
 
 private:
     bool visible_at(double t) const { return sight_.visible(curve_.course.at(t), curve_); }
 
-    /// The middle of a stretch and the points of the curve in it, in order. Points at its ends are
-    /// left out, as a line of sight may touch a surface there.
-    std::vector<double> probes_of(const Stretch& stretch) const {
-        constexpr double at_end = 2e-5; // of the body's size
-        const double margin = at_end * sight_.size();
-        const Vec3 begin = curve_.course.at(stretch.begin), end = curve_.course.at(stretch.end);
-        std::vector<double> probes{stretch.middle()};
-        for (double t = std::floor(stretch.begin) + 1; t < stretch.end; ++t) {
-            const Vec3 place = curve_.course.at(t);
-            if ((place - begin).length() > margin && (place - end).length() > margin)
-                probes.push_back(t);
+    /// Neighbouring places of a stretch of one class. Halving finds where it changes.
+    std::vector<CurvePiece> runs_of(const Stretch& stretch) const {
+        const bool contour = curve_.is_contour_edge(stretch.middle(), sight_.projection());
+        const std::vector<Probe> probes = probes_of(stretch);
+        double last = probes.front().t;
+        std::vector<CurvePiece> runs{{stretch.begin, stretch.end, probes.front().visible, contour}};
+        for (const Probe& probe : probes) {
+            const bool visible = runs.back().visible;
+            if (probe.visible != visible) {
+                runs.back().end = change_between(last, probe.t, visible);
+                runs.push_back({runs.back().end, stretch.end, probe.visible, contour});
+            }
+            last = probe.t;
         }
-        std::sort(probes.begin(), probes.end());
+        return runs;
+    }
+
+    struct Probe {
+        double t;
+        bool visible;
+    };
+
+    /// Rays that look for changes within a stretch, in order: at its middle, at the points of the
+    /// curve in it, and ever more towards its ends. Changes that the search misses are those of
+    /// nearly tangent images, which lie beside contacts at any scale.
+    std::vector<Probe> probes_of(const Stretch& stretch) const {
+        std::vector<Probe> probes{{stretch.middle(), visible_at(stretch.middle())}};
+        for (double t = std::floor(stretch.begin) + 1; t < stretch.end; ++t)
+            if (!is_at_end(t, stretch)) probes.push_back({t, visible_at(t)});
+        for (const double t : towards_ends(stretch)) {
+            const Vec3 place = curve_.course.at(t);
+            const auto visible = sight_.surely_visible(place, curve_);
+            if (visible && (*visible || !sight_.visible_beside(place, curve_)))
+                probes.push_back({t, *visible});
+        }
+        std::sort(probes.begin(), probes.end(),
+                  [](const Probe& a, const Probe& b) { return a.t < b.t; });
         return probes;
+    }
+
+    /// Places in the first and the last chord of a stretch, each four times as near to the end as
+    /// the one before. None at cusps, at which a line of sight meets an outline and the sheet that
+    /// hides it in one root.
+    std::vector<double> towards_ends(const Stretch& stretch) const {
+        const double first = std::min(std::floor(stretch.begin) + 1, stretch.end);
+        const double last = std::max(std::ceil(stretch.end) - 1, stretch.begin);
+        std::vector<double> places;
+        constexpr int most = 12; // quarters: far more than is_at_end() leaves
+        double share = 1;
+        for (int i = 0; i < most; ++i) {
+            share /= 4;
+            if (!is_cusp(stretch.begin))
+                places.push_back(stretch.begin + share * (first - stretch.begin));
+            if (!is_cusp(stretch.end)) places.push_back(stretch.end - share * (stretch.end - last));
+        }
+        std::erase_if(places, [&](double t) { return is_at_end(t, stretch); });
+        return places;
+    }
+
+    bool is_cusp(double t) const {
+        return std::find(curve_.cusps.begin(), curve_.cusps.end(), t) != curve_.cusps.end();
+    }
+
+    /// True for a place so near to an end of a stretch that a line of sight may touch a surface
+    /// there.
+    bool is_at_end(double t, const Stretch& stretch) const {
+        const Vec3 place = curve_.course.at(t);
+        return std::min((place - curve_.course.at(stretch.begin)).length(),
+                        (place - curve_.course.at(stretch.end)).length()) <=
+               nearest_places * sight_.size();
     }
 
     /// The place between two parameters at which the first one's class ends.

@@ -6,29 +6,48 @@
 namespace keiko {
 namespace {
 
-/// Share of the body's size within which a point lies in a surface: far more than rounding, and
-/// than what exact borders that are one line in space miss each other by.
+/// Share of the body's size along the line of sight within which two points are one.
 constexpr double same_place = 1e-6;
+/// Share of the body's size by which rounding moves the hit of the point itself.
+constexpr double itself = 1e-9;
+/// Share of the body's size, square to a surface, within which a point lies in it: far more than
+/// rounding, and than what exact borders that are one line in space miss each other by.
+constexpr double in_surface = 1e-8;
 /// Share of the body's size for depths below the surface on which the point itself lies. Its exact
 /// curve keeps to that surface: where the line of sight touches it, a double root is farther along
 /// the line than same_place, but no deeper than rounding.
 constexpr double same_surface = 1e-11;
 
+/// How far apart the faces at each edge of a file may be to count as one, mm.
+std::vector<double> seam_widths(const SurfaceModel& model, const Tracer& tracer) {
+    std::vector<double> widths(model.edges.size());
+    for (std::uint32_t i = 0; i < model.trim_curves.size(); ++i)
+        if (const std::uint32_t edge = model.trim_curves[i].edge; edge != no_index)
+            widths[edge] = std::max(widths[edge], tracer.seam_width(i));
+    return widths;
+}
+
 } // namespace
 
-SightTest::SightTest(const Tracer& tracer, const ImageProjection& projection)
+SightTest::SightTest(const SurfaceModel& model, const Tracer& tracer,
+                     const ImageProjection& projection)
     : tracer_(tracer),
       projection_(projection),
       size_(tracer.bounds().size()),
-      before_(2 * size_ + 1) {}
+      before_(2 * size_ + 1),
+      seam_widths_(seam_widths(model, tracer)) {}
 
 bool SightTest::hides(const Hit& hit, const Ray& ray, const ModelCurve& curve) const {
-    const double length = ray.direction.length(), before = (1 - hit.t) * length;
+    const double length = ray.direction.length();
+    const double before =
+        (1 - hit.t) * length - hit.position_bound; // within its bound it may lie behind
     const double below = before * std::abs(ray.direction.dot(hit.normal)) / length;
     const PlacedFace face{hit.instance, hit.face};
     const bool own = std::find(curve.faces.begin(), curve.faces.end(), face) != curve.faces.end();
-    if (!own) return below > same_place * size_;
-    return before > same_place * size_ + curve.reach && below > same_surface * size_ + curve.reach;
+    if (!(before > same_place * size_ + curve.reach)) return false;
+    // Within the width of a seam the line may have met this face for the one of the point.
+    const double seam = hit.seam ? same_place * size_ + 2 * seam_widths_[*hit.seam] : 0;
+    return below > (own ? same_surface : in_surface) * size_ + curve.reach + seam;
 }
 
 int SightTest::sheets_before(const Vec3& point, const ModelCurve& curve) const {
@@ -43,6 +62,23 @@ bool SightTest::visible(const Vec3& point, const ModelCurve& curve) const {
     const auto first = tracer_.nearest(ray);
     if (!first) return true;
     return !hides(*first, ray, curve) && sheets_before(point, curve) == 0;
+}
+
+bool SightTest::visible_beside(const Vec3& point, const ModelCurve& curve) const {
+    const CameraAxes& axes = projection_.axes();
+    for (const Vec3& way : {axes.right, -axes.right, axes.up, -axes.up})
+        if (visible(point + way * (same_place * size_), curve)) return true;
+    return false;
+}
+
+std::optional<bool> SightTest::surely_visible(const Vec3& point, const ModelCurve& curve) const {
+    if (!visible(point, curve)) return false;
+    const Ray ray = projection_.sight_line(point, before_);
+    for (const Hit& hit : tracer_.all(ray)) {
+        const double before = (1 - hit.t) * ray.direction.length();
+        if (before > itself * size_ && !has(hit.flags, HitFlags::tangential)) return std::nullopt;
+    }
+    return true;
 }
 
 } // namespace keiko

@@ -4,19 +4,29 @@
 #include "keiko/drawing/curves/model_curve.h"
 #include "keiko/intersect/traversal/tracer.h"
 
+#include <optional>
+#include <vector>
+
 namespace keiko {
 
 /// Counts by rays what hides points of curves. A point that lies in a surface to within a millionth
-/// of the body's size is not hidden by it. Keeps references to its arguments.
+/// of the body's size, or to within the width of the seam at which it was hit, is not hidden by it.
+/// Keeps references to its arguments.
 class SightTest {
 public:
     /// `tracer`: of the body.
-    SightTest(const Tracer& tracer, const ImageProjection& projection);
+    SightTest(const SurfaceModel& model, const Tracer& tracer, const ImageProjection& projection);
 
     /// Number of sheets of the surface between the eye and a point of a curve.
     int sheets_before(const Vec3& point, const ModelCurve& curve) const;
     /// True if nothing is between the eye and a point of a curve.
     bool visible(const Vec3& point, const ModelCurve& curve) const;
+    /// True if nothing is between the eye and a point of a curve. nullopt where a surface before
+    /// the point is only just too near to hide it.
+    std::optional<bool> surely_visible(const Vec3& point, const ModelCurve& curve) const;
+    /// True if nothing is between the eye and a place a millionth of the body's size beside a point
+    /// of a curve in the image: edges that coincide there hide each other by rounding alone.
+    bool visible_beside(const Vec3& point, const ModelCurve& curve) const;
     /// The view.
     const ImageProjection& projection() const { return projection_; }
     /// Size of the body, mm.
@@ -29,7 +39,8 @@ private:
     const Tracer& tracer_;
     const ImageProjection& projection_;
     double size_;
-    double before_; ///< mm, length of parallel lines of sight
+    double before_;                   ///< mm, length of parallel lines of sight
+    std::vector<double> seam_widths_; ///< mm, by edge of the file
 };
 
 } // namespace keiko
