@@ -1,6 +1,7 @@
 #include "keiko/light/fog/voxel_density.h"
 
 #include "keiko/math/quadrature.h"
+#include "keiko/math/trilinear.h"
 
 #include <algorithm>
 #include <cassert>
@@ -18,27 +19,18 @@ VoxelDensity::VoxelDensity(const Vec3& low, const Vec3& high, const std::array<i
 }
 
 double VoxelDensity::operator()(const Vec3& point) const {
-    std::array<int, 3> cell{};
-    Vec3 t(0);
+    Vec3 place(0);
     for (unsigned axis = 0; axis < 3; ++axis) {
         if (!(point[axis] >= low_[axis] && point[axis] <= high_[axis])) return 0;
-        const double place =
-            (point[axis] - low_[axis]) / (high_[axis] - low_[axis]) * (nodes_[axis] - 1);
-        cell[axis] = std::clamp(static_cast<int>(place), 0, nodes_[axis] - 2);
-        t[axis] = place - cell[axis];
+        place[axis] = (point[axis] - low_[axis]) / (high_[axis] - low_[axis]) * (nodes_[axis] - 1);
     }
+    const GridCell cell = grid_cell(place, nodes_);
     const auto row = static_cast<std::size_t>(nodes_[0]);
     const auto layer = row * static_cast<std::size_t>(nodes_[1]);
-    const std::size_t first = static_cast<std::size_t>(cell[0]) +
-                              row * static_cast<std::size_t>(cell[1]) +
-                              layer * static_cast<std::size_t>(cell[2]);
-    const auto along_x = [&](std::size_t at) {
-        return values_[at] + (values_[at + 1] - values_[at]) * t.x;
-    };
-    const auto along_y = [&](std::size_t at) {
-        return along_x(at) + (along_x(at + row) - along_x(at)) * t.y;
-    };
-    return along_y(first) + (along_y(first + layer) - along_y(first)) * t.z;
+    const std::size_t first = cell.node[0] + row * cell.node[1] + layer * cell.node[2];
+    return trilinear(cell.t, [&](std::size_t x, std::size_t y, std::size_t z) {
+        return values_[first + x + row * y + layer * z];
+    });
 }
 
 std::vector<double> VoxelDensity::crossings(const Segment& segment) const {

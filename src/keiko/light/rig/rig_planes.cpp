@@ -1,5 +1,7 @@
 #include "keiko/light/rig/rig_planes.h"
 
+#include "keiko/light/luminance/front_to_back.h"
+
 #include <algorithm>
 #include <cmath>
 

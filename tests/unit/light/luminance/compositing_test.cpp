@@ -1,4 +1,4 @@
-#include "keiko/light/rig/rig_planes.h"
+#include "keiko/light/luminance/front_to_back.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>
