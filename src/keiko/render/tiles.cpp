@@ -5,6 +5,7 @@
 #include "keiko/maps/scene_maps.h"
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/scene/camera.h"
+#include "keiko/volumes/scene_volumes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -122,6 +123,10 @@ PictureRays::PictureRays(const PictureScene& scene, const Camera& seen_by) : cam
     const std::span<const Box3> surfaces = scene.tracer.boxes();
     std::vector<Box3> boxes = RigAreas(scene.rig).boxes();
     boxes.insert(boxes.end(), surfaces.begin(), surfaces.end());
+    if (scene.volumes) {
+        const std::vector<Box3> volumes = scene.volumes->boxes();
+        boxes.insert(boxes.end(), volumes.begin(), volumes.end());
+    }
     cover.emplace(seen_by, boxes);
 }
 

@@ -85,7 +85,9 @@ Film ViewedScene::still(const ViewRequest& request, const LightRig& rig, const J
                             rig,
                             scene_.background,
                             shadows ? &*shadows : nullptr,
-                            scene_.maps.get()};
+                            scene_.maps.get(),
+                            {},
+                            scene_.volumes.get()};
     return render_part(scene_, part, view_of(request).camera, {}, job);
 }
 

@@ -9,6 +9,7 @@
 #include "keiko/light/rig/body_lamps.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/maps/scene_maps.h"
+#include "keiko/volumes/scene_volumes.h"
 #include "keiko/workflow/luminous_faces.h"
 #include "keiko/workflow/painted_body.h"
 #include "keiko/workflow/shadow_casters.h"
@@ -105,7 +106,7 @@ void take_lamps(Scene& scene, std::vector<LightSource> lamps) {
 }
 
 /// Weights of the steps of opening a scene.
-constexpr double reading = 3, dividing = 1, building = 1, following = 1;
+constexpr double reading = 3, dividing = 1, building = 1, following = 1, classifying = 1;
 
 double weight_of_preparing(const SceneOptions& options) {
     return dividing + building + (options.analysis ? following : 0);
@@ -143,9 +144,12 @@ Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& o
 Scene open_scene(std::span<const std::filesystem::path> inputs, const SceneOptions& options,
                  const Job& job) {
     const SceneSpec spec = spec_of(inputs, options.material, options.frame);
-    JobSteps steps(job, reading + weight_of_preparing(options));
+    const double of_volumes = spec.volumes.empty() ? 0 : classifying;
+    JobSteps steps(job, reading + weight_of_preparing(options) + of_volumes);
     PaintedBody body = read_body(spec, options.load, steps.next(reading));
     Scene scene = prepared(std::move(body), spec, options, steps);
+    if (!spec.volumes.empty())
+        scene.volumes = std::make_shared<const SceneVolumes>(spec.volumes, steps.next(classifying));
     scene.inputs = {inputs.begin(), inputs.end()};
     return scene;
 }

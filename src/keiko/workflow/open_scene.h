@@ -43,22 +43,23 @@ struct Surroundings {
 
 /// A body prepared for rendering.
 struct Scene {
-    SurfaceModel model;                          ///< the body, all models as one
-    std::vector<Material> materials;             ///< one a face of the model
-    Tracer tracer;                               ///< of the body alone
-    std::optional<Occluders> occluders;          ///< of the visible geometry, if it casts shadows
-    std::optional<Camera> camera;                ///< of the scene file
-    std::optional<std::string> view;             ///< a named view of the scene file
-    std::optional<LightRig> rig;                 ///< of the scene file, if it has lamps
-    Rgb background{0};                           ///< cd/m2 behind the body
-    int width = 960, height = 540;               ///< pixels of its pictures
-    std::optional<Surroundings> surroundings{};  ///< of a scene file with [ground]
-    std::optional<int> max_depth{};              ///< of the scene file, else of
-    std::optional<double> min_weight{};          ///< PictureOptions
-    std::vector<std::filesystem::path> inputs{}; ///< model files, or the scene file
-    std::optional<FollowedAnalysis> analysis{};  ///< that it was opened with, on its body
-    std::shared_ptr<const SceneMaps> maps{};     ///< of its materials, and its environment
-    std::optional<CausticSpec> caustics{};       ///< of the scene file
+    SurfaceModel model;                            ///< the body, all models as one
+    std::vector<Material> materials;               ///< one a face of the model
+    Tracer tracer;                                 ///< of the body alone
+    std::optional<Occluders> occluders;            ///< of the visible geometry, if it casts shadows
+    std::optional<Camera> camera;                  ///< of the scene file
+    std::optional<std::string> view;               ///< a named view of the scene file
+    std::optional<LightRig> rig;                   ///< of the scene file, if it has lamps
+    Rgb background{0};                             ///< cd/m2 behind the body
+    int width = 960, height = 540;                 ///< pixels of its pictures
+    std::optional<Surroundings> surroundings{};    ///< of a scene file with [ground]
+    std::optional<int> max_depth{};                ///< of the scene file, else of
+    std::optional<double> min_weight{};            ///< PictureOptions
+    std::vector<std::filesystem::path> inputs{};   ///< model files, or the scene file
+    std::optional<FollowedAnalysis> analysis{};    ///< that it was opened with, on its body
+    std::shared_ptr<const SceneMaps> maps{};       ///< of its materials, and its environment
+    std::optional<CausticSpec> caustics{};         ///< of the scene file
+    std::shared_ptr<const SceneVolumes> volumes{}; ///< of the scene file; null: none
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
@@ -72,8 +73,14 @@ struct Scene {
     }
     /// Scene of pictures under a rig, to which, as to the scene, a reference is kept.
     PictureScene picture(const LightRig& under) const {
-        return {seen(),     seen_materials(), under, background, occluders ? &*occluders : nullptr,
-                maps.get(), caustics};
+        return {seen(),
+                seen_materials(),
+                under,
+                background,
+                occluders ? &*occluders : nullptr,
+                maps.get(),
+                caustics,
+                volumes.get()};
     }
     /// Sets the size of its pictures, in pixels, and of its camera.
     void set_picture_size(int wide, int high);

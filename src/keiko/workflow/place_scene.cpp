@@ -123,6 +123,13 @@ void require_no_second_sky(const Scene& scene, const LightRig& rig,
             throw Error(file.string(), "sky", "is hidden by the scene's [environment]");
 }
 
+/// Throws Error for lamps with fog in a scene with volumes.
+void require_no_fog_about_volumes(const Scene& scene, const LightRig& rig,
+                                  const std::filesystem::path& file) {
+    if (scene.volumes && rig.medium)
+        throw Error(file.string(), "fog", "cannot surround the scene's [[volume]]");
+}
+
 } // namespace
 
 ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesystem::path>& rig,
@@ -131,6 +138,7 @@ ChosenLights choose_lights(const Scene& scene, const std::optional<std::filesyst
     if (rig) {
         LightRig lamps = read_rig(*rig);
         require_no_second_sky(scene, lamps, *rig);
+        require_no_fog_about_volumes(scene, lamps, *rig);
         add_body_lamps(scene.rig, lamps);
         return {std::move(lamps)};
     }

@@ -102,6 +102,8 @@ double highest_of(double wavelength) {
     return std::min(highest_wave, most_steepness * wavelength);
 }
 
+} // namespace
+
 PhaseFunction phase_from(const TomlTable& table) {
     const std::size_t kind =
         table.required("kind", table.choice("kind", {"isotropic", "fog", "henyey-greenstein"}));
@@ -113,6 +115,8 @@ PhaseFunction phase_from(const TomlTable& table) {
     if (kind == 2) return HenyeyGreenstein{table.required("g", g)};
     return HazePhase{kind == 1 ? table.required("k", k) : 0};
 }
+
+namespace {
 
 Vec2 pair_from(const std::vector<double>& numbers) {
     return {numbers[0], numbers[1]};

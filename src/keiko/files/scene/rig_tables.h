@@ -127,6 +127,9 @@ std::vector<Window> windows_from(const std::vector<TomlTable>& tables,
 /// A [[window]] for each.
 std::string windows_text(const std::vector<Window>& windows);
 
+/// The phase function of a table `phase`. Throws Error with file, line and column.
+PhaseFunction phase_from(const TomlTable& table);
+
 /// The medium of [fog]. Throws Error with file, line and column.
 Medium medium_from(const TomlTable& table);
 /// A [fog] that reads back as the same medium from a rig in `folder`, which the file of a density

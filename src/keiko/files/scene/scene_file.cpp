@@ -7,6 +7,8 @@
 #include "keiko/files/scene/material_file.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/files/scene/rig_tables.h"
+#include "keiko/files/scene/transform_table.h"
+#include "keiko/files/scene/volume_table.h"
 #include "keiko/files/toml/toml_reader.h"
 #include "keiko/light/rig/primitive_lights.h"
 #include "keiko/scene/animation.h"
@@ -87,22 +89,6 @@ Camera read_view(const std::filesystem::path& path) {
 namespace {
 
 constexpr int most_reflections = 64;
-/// Scales of a model: from nanometres that are taken for millimetres to kilometres.
-constexpr TomlLimits scales{.low = 1e-6, .high = 1e6};
-
-ModelTransform transform_from(const TomlTable& table) {
-    ModelTransform transform;
-    transform.scale = table.number("scale", scales).value_or(transform.scale);
-    if (const auto turn = table.numbers("rotate", 4, TomlLimits::place())) {
-        transform.axis = Vec3((*turn)[0], (*turn)[1], (*turn)[2]), transform.angle = (*turn)[3];
-        if (!(transform.axis.length() > 0))
-            throw table.error("rotate", "the axis must not be a zero vector");
-    }
-    transform.translation = table.vector("translate").value_or(transform.translation);
-    table.finish();
-    return transform;
-}
-
 Material material_of(const TomlTable& model, const std::vector<Material>& known) {
     if (model.kind("material") == "table") return material_from(*model.table("material"));
     const auto name = model.text("material");
@@ -226,6 +212,13 @@ void take_mapped_polygons(const TomlTable& root, SceneSpec& scene) {
     }
 }
 
+void take_volumes(const TomlTable& root, SceneSpec& scene) {
+    for (const TomlTable& table : root.tables("volume"))
+        scene.volumes.push_back(volume_from(table));
+    if (!scene.volumes.empty() && scene.rig && scene.rig->medium)
+        throw root.error("volume", "stands in no fog: give either [[volume]] or [fog]");
+}
+
 CausticSpec caustics_from(const TomlTable& table) {
     CausticSpec caustics;
     caustics.detail = table.integer("detail", 8, 2048).value_or(caustics.detail);
@@ -283,6 +276,7 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     if (const auto caustics = root.table("caustics")) scene.caustics = caustics_from(*caustics);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
     scene.min_weight = root.number("min_weight", TomlLimits::share());
+    take_volumes(root, scene);
     for (const TomlTable& table : root.tables("animation"))
         scene.animations.push_back(animation_from(table, scene));
     root.finish();

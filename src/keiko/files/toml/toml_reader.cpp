@@ -18,6 +18,7 @@ constexpr OwnFormat own_formats[] = {
     {"keiko-scene", "a scene: inspect, check, render and trace take it, as FILE.toml"},
     {"keiko-rig", "a rig: inspect, render and lines take it as their rig"},
     {"keiko-materials", "a file of materials: a scene names it"},
+    {"keiko-voxels", "voxels: a [[volume]] of a scene names them"},
     {"keiko-preset", "a file of limits: inspect, check and lines take it as their preset"},
     {"keiko-fixture", "a fixture: regress takes the folder of its suite"},
     {"keiko-hits", "registered hits: place takes them instead of views"},

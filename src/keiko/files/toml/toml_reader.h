@@ -79,9 +79,10 @@ public:
     /// An array of such arrays.
     std::optional<std::vector<std::vector<double>>> lists(std::string_view key,
                                                           const TomlLimits& limits = {}) const;
-    /// An array of arrays of a number and what goes with it: a number, or an array of them.
+    /// An array of arrays of a number and what goes with it: a number, or an array of them, within
+    /// limits.
     std::optional<std::vector<std::pair<double, std::vector<double>>>> keyed_lists(
-        std::string_view key) const;
+        std::string_view key, const TomlLimits& limits = {}) const;
     /// A place or a direction, within TomlLimits::place().
     std::optional<Vec3> vector(std::string_view key) const;
     /// true or false.

@@ -111,7 +111,7 @@ std::optional<std::vector<std::vector<double>>> TomlTable::lists(std::string_vie
 }
 
 std::optional<std::vector<std::pair<double, std::vector<double>>>> TomlTable::keyed_lists(
-    std::string_view key) const {
+    std::string_view key, const TomlLimits& limits) const {
     const TomlEntry* entry = find(key);
     if (!entry) return {};
     const std::string wanted = "an array of arrays [number, number or numbers]";
@@ -124,8 +124,8 @@ std::optional<std::vector<std::pair<double, std::vector<double>>>> TomlTable::ke
         const TomlValue& second = (*pair)[1];
         result.emplace_back(checked(key, (*pair)[0], {}),
                             second.kind() == "array"
-                                ? checked_list(key, second, {})
-                                : std::vector<double>{checked(key, second, {})});
+                                ? checked_list(key, second, limits)
+                                : std::vector<double>{checked(key, second, limits)});
     }
     return result;
 }

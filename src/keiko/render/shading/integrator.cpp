@@ -61,6 +61,7 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
     }
     if (scene.caustics)
         caustics_.emplace(scene.tracer, scene.materials, rig_, *scene.caustics, job);
+    if (scene.volumes) volumes_.emplace(*scene.volumes, scene.rig, job);
     if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.casting(), *eye, job);
 }
 
@@ -86,8 +87,10 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     add_lights(path, met, shafts, sample);
     if (path.inside)
         path.weight *= left_inside(*path.inside->glass(), leg_of(met.ray, met.hit));
-    else
+    else {
+        pass_volumes(path, met, sample);
         pass_medium(path, met, shafts, sample);
+    }
     if (!met.hit) {
         sample.luminance += path.weight * beyond(path, met.ray);
         return {};
@@ -137,7 +140,8 @@ void Integrator::record_aovs(const PathState& path, const PathVertex& met,
 }
 
 HitDetail Integrator::mirrored_detail() const {
-    const bool ends = options_.max_depth <= 1 && !scene_.rig.medium && mirrors_alone_;
+    const bool ends =
+        options_.max_depth <= 1 && !scene_.rig.medium && !scene_.volumes && mirrors_alone_;
     return ends ? HitDetail::face : HitDetail::all;
 }
 
@@ -216,8 +220,19 @@ void Integrator::add_light_at(double t, const MirroredLight& light, PathState& p
         seen += light.coverage *
                 luminance_along(scene_.rig, leg, Rgb(0), shafts, picture_scattering_tolerance);
     }
+    if (volumes_ && !path.inside) {
+        const FrontToBack before = volumes_->along({ray.origin, ray.at(t)});
+        seen = before.light * light.coverage + seen * (1 - before.opacity);
+    }
     sample.luminance += path.weight * seen;
     path.weight *= 1 - light.coverage;
+}
+
+void Integrator::pass_volumes(PathState& path, const PathVertex& met, PixelSample& sample) const {
+    if (!volumes_) return;
+    const FrontToBack before = volumes_->along(leg_of(met.ray, met.hit));
+    sample.luminance += path.weight * before.light;
+    path.weight *= 1 - before.opacity;
 }
 
 void Integrator::pass_medium(PathState& path, const PathVertex& met, const VisibleFrom& shafts,

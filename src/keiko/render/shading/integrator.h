@@ -14,6 +14,7 @@
 #include "keiko/render/shading/occluded_visibility.h"
 #include "keiko/render/shading/paint.h"
 #include "keiko/render/shading/picture.h"
+#include "keiko/volumes/lit_volumes.h"
 
 #include <optional>
 #include <span>
@@ -238,6 +239,8 @@ private:
                     PixelSample& sample) const;
     void add_light_at(double t, const MirroredLight& light, PathState& path, const Ray& ray,
                       const VisibleFrom& shafts, PixelSample& sample) const;
+    /// Adds the light of volumes before a hit, and dims what is behind.
+    void pass_volumes(PathState& path, const PathVertex& met, PixelSample& sample) const;
     void pass_medium(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
                      PixelSample& sample) const;
 
@@ -253,6 +256,7 @@ private:
     DirectLighting lights_; ///< refers to rig_
     GlassLoss glass_;
     std::optional<Caustics> caustics_;
+    std::optional<LitVolumes> volumes_;
     TubeModel tubes_;
     bool tells_illuminance_, refines_, keeps_hits_;
     bool mirrors_alone_ = true; ///< no paint takes light, and there is no glass

@@ -17,6 +17,7 @@
 namespace KEIKO_API keiko {
 
 class SceneMaps;
+class SceneVolumes;
 
 /// Scene of a picture; keeps references to everything.
 struct PictureScene {
@@ -28,6 +29,7 @@ struct PictureScene {
     const Occluders* occluders = nullptr;
     const SceneMaps* maps = nullptr;       ///< of the materials, and the environment; null: none
     std::optional<CausticSpec> caustics{}; ///< none: mirrors and glass throw no light on surfaces
+    const SceneVolumes* volumes = nullptr; ///< before and behind surfaces; not with a medium
 
     /// Tracer of what casts shadows.
     const Tracer& casting() const { return occluders ? occluders->tracer() : tracer; }

@@ -146,7 +146,8 @@ Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
         if (!goes_on) continue;
         PixelMirror mirror;
         stripes.find(place, hit ? hit->t : std::numeric_limits<double>::infinity(), mirror);
-        const bool reads_ray = hit || scene_.rig.medium || !areas_.empty() || sees_beyond();
+        const bool reads_ray =
+            hit || scene_.rig.medium || scene_.volumes || !areas_.empty() || sees_beyond();
         if (reads_ray) ray = mirrors.grid.ray(place);
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
         const Onward onward =
