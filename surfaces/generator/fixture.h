@@ -49,6 +49,13 @@ struct TextFixture {
     std::vector<GroundTruth> truths;
 };
 
+/// A file of bytes of surfaces/.
+struct RawFixture {
+    std::string file;
+    std::string bytes;
+    std::vector<GroundTruth> truths;
+};
+
 /// Prints the truths of a file. Throws std::runtime_error if a measurement is off.
 void report(const std::string& file, const std::vector<GroundTruth>& truths);
 

@@ -65,6 +65,10 @@ BptFixture teapot();
 BptFixture tea();
 BptFixture figure();
 
+/// Voxels of a casting in the shape of the bored block, with six pores in the metal and noise: a
+/// byte a node, x fastest, as casting-voxels.toml states.
+RawFixture casting();
+
 /// A luminaire (LM-63) such as hangs over roads: computed from a formula, not measured.
 TextFixture road_lantern();
 

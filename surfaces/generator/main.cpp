@@ -38,6 +38,9 @@ int main(int argc, char** argv) {
             report(fixture.file, fixture.truths);
             write_lines(directory / fixture.file, fixture.lines);
         }
+        const RawFixture voxels = casting();
+        report(voxels.file, voxels.truths);
+        write_bytes(directory / voxels.file, voxels.bytes);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "keiko-fixtures: %s\n", error.what());
         return 1;

@@ -37,6 +37,8 @@ void copy_surfaces(const fs::path& seeds) {
             copy_to(seeds / target, sources / "surfaces" / name);
     for (const char* name : {"concept-car-scene.toml", "hood-scene.toml", "seams-scene.toml"})
         copy_to(seeds / "scene", sources / "surfaces" / name);
+    copy_to(seeds / "scene", sources / "surfaces/casting-scene.toml");
+    copy_to(seeds / "voxels", sources / "surfaces/casting-voxels.toml");
     copy_to(seeds / "format", sources / "surfaces/trimmed-hole.step");
 }
 
