@@ -107,7 +107,9 @@ int compare_scan(const CLI::App& command, const CompareArguments& arguments, con
 }
 
 int compare(const CLI::App& command, CompareArguments arguments, const Job& job) {
-    const bool is_scan = is_scan_file(arguments.after);
+    const bool is_scan = is_scan_file(arguments.after) || arguments.scan.surface;
+    if (is_scan_file(arguments.after) && arguments.scan.surface)
+        throw Error("", "--iso", "is for voxels, not for points");
     require_options_of_kind(command, is_scan);
     if (is_scan) return compare_scan(command, arguments, job);
     if (arguments.after.empty() && arguments.mirror.empty())

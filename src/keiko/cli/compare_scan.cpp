@@ -55,11 +55,15 @@ CompareScanOptions options_of(const CLI::App& command, const SceneArguments& sce
 }
 
 /// The points in the coordinates of the nominal: in mm, and turned as that is.
-std::vector<Vec3> points_of(const SceneArguments& scene, const ScanArguments& arguments) {
+std::vector<Vec3> points_of(const SceneArguments& scene, const ScanArguments& arguments,
+                            const Job& job) {
     const auto millimetres = millimetres_per(arguments.unit);
     if (!millimetres)
         throw Error("", "--scan-unit", in_quotes(arguments.unit) + " is no length unit");
-    std::vector<Vec3> points = read_scan(arguments.scan, *millimetres);
+    std::vector<Vec3> points =
+        arguments.surface
+            ? read_voxel_surface(arguments.scan, *arguments.surface, *millimetres, job)
+            : read_scan(arguments.scan, *millimetres);
     if (scene.options.load.axes.empty()) return points;
     const Affine frame = axes_frame(scene.options.load.axes);
     for (Vec3& point : points) point = frame.point(point);
@@ -86,6 +90,8 @@ void ScanArguments::add_to(CLI::App& command) {
                     "of a scan: percent of the points that must be within --tolerance")
         ->check(number_between(0, 100))
         ->capture_default_str();
+    command.add_option("--iso", surface,
+                       "AFTER is a file of voxels (keiko-voxels/1): value of its surface");
     command.add_option("--scan-unit", unit, "of a scan: length unit of its numbers")
         ->capture_default_str();
 }
@@ -130,7 +136,7 @@ int compare_with_scan(const CLI::App& command, const SceneArguments& scene,
                       const ScanArguments& arguments, const Job& job) {
     require_outputs(scene, arguments);
     const CompareScanOptions options = options_of(command, scene, arguments);
-    const std::vector<Vec3> points = points_of(scene, arguments);
+    const std::vector<Vec3> points = points_of(scene, arguments, job);
     constexpr double opening = 1, comparing = 4;
     JobSteps steps(job, opening + comparing);
     const Scene nominal = scene.open(steps.next_of_steps(opening));

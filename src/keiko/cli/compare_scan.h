@@ -7,6 +7,7 @@
 #include <CLI/App.hpp>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,13 @@ namespace keiko::cli {
 /// Options of `keiko compare` for a scan, besides those of its nominal.
 struct ScanArguments {
     std::filesystem::path scan, output, json;
-    std::vector<std::string> views; ///< as --view names them
-    std::string unit = "mm";        ///< of the numbers in the scan
-    double least_share = 100;       ///< percent of the points that must be within the tolerance
-    bool stay = false;              ///< the points are not moved onto the nominal
-    double tolerance = 0;           ///< mm, if the command has --tolerance
-    double reach = 0;               ///< mm; 0: the default
+    std::vector<std::string> views;  ///< as --view names them
+    std::string unit = "mm";         ///< of the numbers in the scan
+    double least_share = 100;        ///< percent of the points that must be within the tolerance
+    std::optional<double> surface{}; ///< value of the surface, if the scan is voxels
+    bool stay = false;               ///< the points are not moved onto the nominal
+    double tolerance = 0;            ///< mm, if the command has --tolerance
+    double reach = 0;                ///< mm; 0: the default
 
     /// Adds the options that scans alone have.
     void add_to(CLI::App& command);

@@ -3,10 +3,13 @@
 #include "keiko/base/error.h"
 #include "keiko/base/job_steps.h"
 #include "keiko/compare/scan/scan_map.h"
+#include "keiko/files/scene/voxel_header.h"
 #include "keiko/film/image_file.h"
 #include "keiko/film/signed_color_picture.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/inspect/basics/placed_face.h"
+#include "keiko/volumes/iso_points.h"
+#include "keiko/volumes/read_voxels.h"
 #include "keiko/workflow/choose_views.h"
 #include "keiko/workflow/version.h"
 
@@ -60,6 +63,14 @@ void draw_maps(const Scene& nominal, std::span<const PointDeviation> points,
 }
 
 } // namespace
+
+std::vector<Vec3> read_voxel_surface(const std::filesystem::path& voxels, double value,
+                                     double millimetres, const Job& job) {
+    const VoxelFiles files = read_voxel_header(voxels);
+    std::vector<Vec3> points = iso_points(read_voxels(files, {}, job), value);
+    for (Vec3& point : points) point = (files.origin + files.spacing * point) * millimetres;
+    return points;
+}
 
 ScanResult compare_points(const Scene& nominal, std::span<const Vec3> points,
                           const CompareScanOptions& options, const Job& job) {

@@ -20,6 +20,11 @@ struct ScanViewsOptions {
     int width = 0, height = 0;      ///< pixels; 0: the size of the nominal's scene
 };
 
+/// Points on the surface of one value of voxels (keiko-voxels/1), mm: where it crosses the lines
+/// between neighbouring nodes. `millimetres`: those in one unit of the file. Throws Error.
+std::vector<Vec3> read_voxel_surface(const std::filesystem::path& voxels, double value,
+                                     double millimetres = 1, const Job& job = {});
+
 /// Options of compare_points.
 struct CompareScanOptions {
     std::string scan{};  ///< file of the points, or what they are named in report and errors
