@@ -21,6 +21,7 @@ ROOMS = {
     "maps": {"scene", "film"},
     "volumes": {"scene", "film"},
     "raster": {"intersect", "scene", "film"},
+    "radiosity": {"visibility", "light", "raster"},
     "files": {"scene"},
     "import": {"files"},
     "render": {"visibility", "light", "maps", "volumes"},
