@@ -1,11 +1,12 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/rgb.h"
 #include "keiko/radiosity/reflector.h"
 
 #include <span>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// The light of a solution, lm: what is emitted is absorbed or escapes.
 struct EnergyBalance {

@@ -39,16 +39,18 @@ Camera side_camera(const Vec3& point, const Vec3& forward, const Vec3& up, int c
     return camera;
 }
 
-/// True for the triangles that show a point their front.
-std::vector<bool> facing(const SurfaceMesh& mesh, const Vec3& point) {
-    std::vector<bool> front;
-    front.reserve(mesh.triangles.size());
+/// For each triangle the place in a list of all fronts, then all backs, of the face that it shows a
+/// point.
+std::vector<std::size_t> shown_faces(const SurfaceMesh& mesh, const Vec3& point) {
+    std::vector<std::size_t> shown;
+    shown.reserve(mesh.triangles.size());
     for (const auto& [a, b, c] : mesh.triangles) {
         const Vec3& corner = mesh.positions[a];
         const Vec3 normal = (mesh.positions[b] - corner).cross(mesh.positions[c] - corner);
-        front.push_back(normal.dot(point - corner) > 0);
+        const bool front = normal.dot(point - corner) > 0;
+        shown.push_back(shown.size() + (front ? 0 : mesh.triangles.size()));
     }
-    return front;
+    return shown;
 }
 
 } // namespace
@@ -68,10 +70,10 @@ Hemicube::Hemicube(int cells) : cells_(cells) {
 
 std::vector<double> Hemicube::form_factors(const SurfaceMesh& mesh, const Vec3& point,
                                            const Vec3& normal, const Job& job) const {
-    std::vector<double> factors(mesh.triangles.size());
-    const std::vector<bool> front = facing(mesh, point);
+    std::vector<double> factors(2 * mesh.triangles.size());
+    const std::vector<std::size_t> face_of = shown_faces(mesh, point);
     const auto add = [&](std::uint32_t triangle, double factor) {
-        if (triangle != no_index && front[triangle]) factors[triangle] += factor;
+        if (triangle != no_index) factors[face_of[triangle]] += factor;
     };
     const AxesAcross axes(normal, std::copysign(1.0, normal.z));
     const ItemBuffer above = z_buffer(mesh, face_camera(point, normal, axes.y, cells_), job);

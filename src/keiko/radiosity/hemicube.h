@@ -25,9 +25,9 @@ public:
     /// Form factor of the cell of a side at y from -1 + 2 i / n on, z from 2 j / n on, exact.
     double side(int i, int j) const { return side_[index(i, j)]; }
 
-    /// Form factors from an element at `point` with the unit normal to the triangles of a mesh, in
-    /// their order, by a z-buffer for the top and each side. They sum to 1 in a closed scene. A
-    /// triangle that shows its back hides what is behind it and has none. Throws Cancelled.
+    /// Form factors from an element at `point` with the unit normal to the fronts of the triangles
+    /// of a mesh, in their order, then to their backs. A front is where the corners run
+    /// anticlockwise. They sum to 1 in a closed scene. Throws Cancelled.
     std::vector<double> form_factors(const SurfaceMesh& mesh, const Vec3& point, const Vec3& normal,
                                      const Job& job = {}) const;
 

@@ -66,7 +66,8 @@ std::size_t ProgressiveRefinement::shoot() {
 int ProgressiveRefinement::refine(double allowed, int most_steps, const Job& job) {
     const double first = remaining();
     int steps = 0;
-    for (; steps < most_steps && !job.stop.stop_requested(); ++steps) {
+    for (; steps < most_steps; ++steps) {
+        job.check();
         const double left = remaining();
         if (!(left > allowed)) break;
         const double done = std::log(first / left) / std::log(first / allowed);

@@ -17,7 +17,7 @@ namespace keiko {
 /// time, and are not kept.
 class ProgressiveRefinement {
 public:
-    /// Exchange areas of an element with all, in their order, mm2.
+    /// Exchange areas of an element with all, in their order, mm2. May throw: nothing is shot then.
     using RowOf = std::function<std::vector<double>(std::size_t element)>;
 
     /// Areas in mm2, above 0, and one reflector each.
@@ -27,13 +27,15 @@ public:
     /// 1e-9 shoot in their order. Call it only while unshot() has light.
     std::size_t shoot();
     /// Shoots until remaining() is at most `allowed`, or `most_steps` times, reporting progress.
-    /// Returns the number of steps. A stop of the job ends it early, with what has been found.
+    /// Returns the number of steps. Throws Cancelled, and then has what was found until then.
     int refine(double allowed, int most_steps, const Job& job = {});
 
     /// Radiosities found so far, lm/m2, without ambient light.
     std::vector<Rgb> radiosity() const;
     /// Light that has arrived at each element from the others, lx.
     const std::vector<Rgb>& arriving() const { return arriving_; }
+    /// Light shot that no element has received, lm/m2 times mm2.
+    const Rgb& escaped() const { return escaped_; }
     /// Balance of the light so far; what is missing has not been shot yet.
     EnergyBalance balance() const;
     /// Radiosities that still have to be shot, lm/m2.

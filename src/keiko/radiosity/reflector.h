@@ -1,8 +1,9 @@
 #pragma once
 
+#include "keiko/base/export.h"
 #include "keiko/math/rgb.h"
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Diffuse reflection and own light of an element, uniform over it.
 struct Reflector {

@@ -68,17 +68,19 @@ TEST(Hemicube, AgreesWithTheBoundaryIntegralToItsCells) {
     EXPECT_LT(fine, 0.4 / 256);
 }
 
-TEST(Hemicube, HidesWhatIsBehindAndHasNoLightOfBacks) {
+TEST(Hemicube, TellsBacksFromFrontsAndHidesWhatIsBehind) {
     const auto lower = test::parallelogram(Vec3(-1, -1, 1), Vec3(2, 0, 0), Vec3(0, 2, 0));
     const auto upper = test::parallelogram(Vec3(-9, -9, 2), Vec3(0, 18, 0), Vec3(18, 0, 0));
     const SurfaceMesh mesh = mesh_of({lower, upper});
     const Hemicube cube(128);
     const std::vector<double> factors = cube.form_factors(mesh, Vec3(0), Vec3(0, 0, 1));
-    EXPECT_EQ(factors[0] + factors[1], 0); // its back
     const auto factor = [](const std::vector<Vec3>& corners) {
         return projected_solid_angle(corners, Vec3(0), Vec3(0, 0, 1)) / std::numbers::pi;
     };
+    EXPECT_EQ(factors[0] + factors[1], 0);
+    EXPECT_NEAR(factors[4] + factors[5], factor(lower), 2e-3);
     EXPECT_NEAR(factors[2] + factors[3], factor(upper) - factor(lower), 2e-3);
+    EXPECT_EQ(factors[6] + factors[7], 0);
 }
 
 TEST(Hemicube, RefusesOddNumbersOfCells) {

@@ -1,3 +1,4 @@
+#include "keiko/base/error.h"
 #include "keiko/radiosity/gauss_seidel.h"
 #include "keiko/radiosity/progressive_refinement.h"
 
@@ -140,7 +141,7 @@ TEST(ProgressiveRefinement, StopsWithWhatItHas) {
     Job job;
     job.stop = stop.get_token();
     ProgressiveRefinement light = shooting(exchange, {6, {Rgb(0.5), Rgb(100)}});
-    EXPECT_EQ(light.refine(1e-6, 1000, job), 0);
+    EXPECT_THROW(light.refine(1e-6, 1000, job), Cancelled);
     EXPECT_EQ(light.radiosity()[0], Rgb(100));
 }
 
