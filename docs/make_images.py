@@ -64,6 +64,7 @@ SCENES = {
     "lamps-in-a-row": ("lamps-in-a-row-scene", SHADED, (640, 360)),
     "panels-in-fog": ("panels-in-fog-scene", SHADED, (640, 360)),
     "overcast": ("overcast-scene", ("--tone", "reinhard"), (960, 540)),
+    **{name: ("room-scene", ("--shadows", "--ev", "6"), (720, 600)) for name in ("room", "room-direct")},
     "seams": ("seams-scene", (), (1200, 400)),
     "phong-exponents": ("exponents-scene", SHADED, (1200, 320)),
     **{f"shadow-{light}": ("shadows-scene", (*SHADED, "--rig", str(ROOT / f"lightrigs/one-{light}.toml")), (360, 240))
@@ -79,6 +80,8 @@ SCENES = {
         ("--shadows", "--false-color", "--quantity", "illuminance", "--scale", "50:2000", "--iso-lines"),
         (800, 500)),
 }
+# Those with the reflected light of `keiko radiosity`.
+SOLVED = {"room"}
 
 
 def keiko(program, *arguments):
@@ -92,6 +95,10 @@ def keiko(program, *arguments):
 def render_scene(program, name, folder, size=None):
     """Renders one of SCENES as a PNG file in an empty folder."""
     scene, options, own_size = SCENES[name]
+    if name in SOLVED:
+        solution = folder / f"{name}.solution"
+        keiko(program, "radiosity", SURFACES / f"{scene}.toml", "-o", solution)
+        options = (*options, "--solution", solution)
     width, height = size or own_size
     keiko(program, "render", SURFACES / f"{scene}.toml", *options, "--size", f"{width}x{height}", "-o",
           folder / f"{name}.png")

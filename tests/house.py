@@ -24,7 +24,7 @@ ROOMS = {
     "radiosity": {"visibility", "light", "raster"},
     "files": {"scene"},
     "import": {"files"},
-    "render": {"visibility", "light", "maps", "volumes"},
+    "render": {"light", "maps", "volumes", "radiosity"},
     "placement": {"intersect", "scene"},
     "inspect": {"intersect", "scene"},
     "drawing": {"visibility", "inspect"},

@@ -40,6 +40,7 @@ void add_illuminance(CLI::App& app, Session& session) {
                             "standard output");
     arguments->scene.add_to(command, "SCENE");
     arguments->scene.options.shadows = true;
+    CLI::Option* solution = arguments->scene.add_solution(command);
     command.add_flag("--summary", arguments->summary,
                      "instead of a row for each point one for each source and one for the sum: "
                      "points, least, mean and largest illuminance, uniformity (least over mean)");
@@ -48,7 +49,7 @@ void add_illuminance(CLI::App& app, Session& session) {
         "what eyes see in fog: lines of an eye and a direction, ox,oy,oz,dx,dy,dz; a row has the "
         "contrast and the visual range of the surface ahead, of the scene's signs, and the light "
         "and the range of its bare lamps");
-    sight->excludes("--summary");
+    sight->excludes("--summary")->excludes(solution);
     command.add_option("--least-contrast", arguments->limits.contrast, "that an eye can see")
         ->check(number_between(1e-6, 1))
         ->capture_default_str()
@@ -63,8 +64,8 @@ void add_illuminance(CLI::App& app, Session& session) {
     command.footer(
         "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
         "length (line 1 may name the columns). Writes a header line and a row for each point in "
-        "order: direct illuminance in lx of each source of the scene's rig, and the sum. A point "
-        "inside a lamp ends it, as a malformed line does.\n"
+        "order: direct illuminance in lx of each source of the scene's rig, that of surfaces "
+        "with --solution, and the sum. A point inside a lamp ends it, as a malformed line does.\n"
         "Example: keiko illuminance hood-scene.toml < points.csv > lux.csv");
     session.add_command(command,
                         [arguments](const Job& job) { return illuminance(*arguments, job); });

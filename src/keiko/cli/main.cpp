@@ -32,6 +32,7 @@ int main(int argc, char** argv) try {
     cli::add_mesh_error(app, session);
     cli::add_panorama(app, session);
     cli::add_place(app, session);
+    cli::add_radiosity(app, session);
     cli::add_regress(app, session);
     cli::add_render(app, session);
     cli::add_trace(app, session);

@@ -109,6 +109,7 @@ void withdraw_earlier(const RenderArguments& arguments) {
     inputs.emplace_back(arguments.rig);
     inputs.emplace_back(arguments.view);
     inputs.push_back(arguments.scene.analysis);
+    inputs.push_back(arguments.scene.solution);
     withdraw_results({.files = {arguments.output, arguments.hits}, .folders = {}}, inputs);
 }
 

@@ -130,7 +130,8 @@ std::string RenderArguments::key() const {
     std::vector<std::filesystem::path> inputs = scene.inputs;
     for (const std::string& name : {rig, view})
         if (std::filesystem::path(name).extension() == ".toml") inputs.emplace_back(name);
-    if (!scene.analysis.empty()) inputs.push_back(scene.analysis);
+    for (const std::filesystem::path& file : {scene.analysis, scene.solution})
+        if (!file.empty()) inputs.push_back(file);
     const SceneOptions options = scene.scene_options();
     std::ostringstream settings;
     settings << std::setprecision(17) << options.material << '\n'

@@ -9,8 +9,10 @@ void RenderArguments::add_to(CLI::App& command) {
     scene.add_picture_size(command);
     scene.add_shadows(command);
     scene.add_analysis(command);
+    CLI::Option* solution = scene.add_solution(command);
     command.add_option("-o,--output", output, "image.exr (cd/m2, AOVs) or image.png")->required();
     add_light(command);
+    of_lamps_.push_back(solution->excludes("--rig")->needs("--shadows"));
     command
         .add_option("--aov", aovs_,
                     "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "

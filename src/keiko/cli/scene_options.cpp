@@ -1,5 +1,6 @@
 #include "keiko/cli/scene_options.h"
 
+#include "keiko/api/light.h"
 #include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/base/text.h"
@@ -132,6 +133,15 @@ void SceneArguments::add_analysis(CLI::App& command) {
         ->check(not_empty());
 }
 
+CLI::Option* SceneArguments::add_solution(CLI::App& command) {
+    return command
+        .add_option("--solution", solution,
+                    "of keiko radiosity for this scene: its reflected light, in the place of "
+                    "ambient light")
+        ->type_name("FILE")
+        ->check(not_empty());
+}
+
 void SceneArguments::read_analysis() {
     if (analysis.empty()) return;
     options.analysis = keiko::read_analysis(analysis);
@@ -158,6 +168,7 @@ Scene SceneArguments::open(const Job& job) const {
     const bool is_own_rig = scene.rig && !(options.analysis && options.analysis->rig);
     if (is_own_rig) log_remarks(luminaire_remarks(*scene.rig));
     if (scene.analysis) log_remarks(scene.analysis->remarks);
+    if (!solution.empty()) take_solution(scene, solution);
     if (wanted.width > 0) scene.set_picture_size(wanted.width, wanted.height);
     return scene;
 }

@@ -31,6 +31,7 @@ struct SceneArguments {
     std::optional<double> import_memory;       ///< GiB; nullopt: see usual_memory_limit()
     double cache_limit = 4;                    ///< GiB
     std::filesystem::path analysis;            ///< file of an analysis; empty: none
+    std::filesystem::path solution;            ///< of reflected light; empty: none
 
     /// Adds the inputs (as `what`) and options to a command.
     void add_to(CLI::App& command, const std::string& what);
@@ -42,6 +43,8 @@ struct SceneArguments {
     void add_shadows(CLI::App& command);
     /// Adds the analysis that is done again.
     void add_analysis(CLI::App& command);
+    /// Adds the solution whose reflected light the scene has.
+    CLI::Option* add_solution(CLI::App& command);
     /// Reads the analysis into the options, if there is one, and warns of contradictions within its
     /// luminaires. Throws Error.
     void read_analysis();

@@ -120,6 +120,8 @@ void add_mesh_error(CLI::App& app, Session& session);
 void add_panorama(CLI::App& app, Session& session);
 /// Adds `keiko place`.
 void add_place(CLI::App& app, Session& session);
+/// Adds `keiko radiosity`.
+void add_radiosity(CLI::App& app, Session& session);
 /// Adds `keiko regress`.
 void add_regress(CLI::App& app, Session& session);
 /// Adds `keiko render`.

@@ -7,6 +7,7 @@
 #include "keiko/scene/caustic_spec.h"
 #include "keiko/scene/environment_spec.h"
 #include "keiko/scene/material.h"
+#include "keiko/scene/radiosity_spec.h"
 #include "keiko/scene/volume_spec.h"
 
 #include <filesystem>
@@ -90,6 +91,7 @@ struct SceneSpec {
     std::optional<double> min_weight;             ///< reflections that count less end the path
     std::optional<EnvironmentSpec> environment{}; ///< surroundings at infinity
     std::optional<CausticSpec> caustics{};        ///< none: without
+    std::optional<RadiositySpec> radiosity{};     ///< none: the defaults, if it is solved
     std::vector<VolumeSpec> volumes{};            ///< voxels, in the order of the file
     std::vector<Animation> animations{};          ///< without fault; see at_frame
 };

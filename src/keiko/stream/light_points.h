@@ -11,10 +11,11 @@
 
 namespace KEIKO_API keiko {
 
-/// Reads lines of points with normals (see rays_of, `point_header`) and writes the direct
-/// illuminance in lx as CSV. After a header line each point, in order, has a row with the
-/// illuminance by each source of the scene's rig, and their sum; for coloured light it is the
-/// luminance. Columns are named by kind and number of the source, "c_plane.0", and "sum". Rows are
+/// Reads lines of points with normals (see rays_of, `point_header`) and writes the illuminance in
+/// lx as CSV. After a header line each point, in order, has a row: the direct illuminance by each
+/// source of the scene's rig, that by surfaces if the scene has a solution, and their sum. For
+/// coloured light it is the luminance. Columns are named by kind and number of the source,
+/// "c_plane.0", then "reflected" and "sum". Rows are
 /// written as points come, in constant memory, and are the same bytes for any thread count. A point
 /// within 1e-3 mm of a surface counts as on it. Bodies cast shadows if the scene was opened with
 /// them. Ends early if the sink accepts no more; returns the number of points. Throws Error for a
@@ -25,7 +26,7 @@ std::uint64_t light_points(const Scene& scene, const ByteSource& points, const B
 
 /// Illuminance at points, lx.
 struct PointIlluminance {
-    std::vector<std::string> columns; ///< as light_points names them: each source, then "sum"
+    std::vector<std::string> columns; ///< as light_points names them, "sum" last
     std::vector<double> lux;          ///< a row a point, of as many numbers as there are columns
 };
 

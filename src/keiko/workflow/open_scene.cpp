@@ -132,7 +132,8 @@ Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& o
                 .surroundings = std::move(all.surroundings),
                 .max_depth = spec.max_depth,
                 .min_weight = spec.min_weight,
-                .caustics = spec.caustics};
+                .caustics = spec.caustics,
+                .radiosity = spec.radiosity};
     take_lamps(scene, std::move(lamps));
     take_maps(scene, spec.environment);
     if (options.analysis) take_analysis(scene, *options.analysis, steps.next(following));

@@ -12,6 +12,7 @@
 #include "keiko/scene/analysis.h"
 #include "keiko/scene/camera.h"
 #include "keiko/scene/material.h"
+#include "keiko/scene/radiosity_spec.h"
 #include "keiko/visibility/query/occluders.h"
 #include "keiko/workflow/followed_analysis.h"
 
@@ -60,6 +61,8 @@ struct Scene {
     std::shared_ptr<const SceneMaps> maps{};       ///< of its materials, and its environment
     std::optional<CausticSpec> caustics{};         ///< of the scene file
     std::shared_ptr<const SceneVolumes> volumes{}; ///< of the scene file; null: none
+    std::optional<RadiositySpec> radiosity{};      ///< of the scene file
+    std::shared_ptr<const ReflectedLight> reflected{}; ///< by take_solution(); null: none
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
@@ -80,7 +83,8 @@ struct Scene {
                 occluders ? &*occluders : nullptr,
                 maps.get(),
                 caustics,
-                volumes.get()};
+                volumes.get(),
+                reflected.get()};
     }
     /// Sets the size of its pictures, in pixels, and of its camera.
     void set_picture_size(int wide, int high);

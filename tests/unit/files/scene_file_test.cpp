@@ -124,6 +124,15 @@ TEST_F(SceneFile, MayLimitReflections) {
     const SceneSpec read = scene("max_depth = 5\nmin_weight = 0.25\n" + model);
     EXPECT_EQ(read.max_depth, 5);
     EXPECT_FALSE(read.caustics);
+    EXPECT_FALSE(read.radiosity);
+    const RadiositySpec fine{.element = 300,
+                             .smallest = 30,
+                             .contrast = 0.25,
+                             .deviation = 5,
+                             .cells = 128,
+                             .error = 0.01};
+    EXPECT_EQ(scene(model + "[radiosity]\nelement = 300\nsmallest = 30\ncells = 128\n").radiosity,
+              fine);
     const CausticSpec wanted{.detail = 99, .interfaces = 4, .min_weight = 0.05};
     EXPECT_EQ(scene(model + "[caustics]\ndetail = 99\n").caustics, wanted);
     EXPECT_EQ(read.min_weight, 0.25);
@@ -159,6 +168,9 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "4:39: model[0].override[0].layer: is not supported yet");
     EXPECT_EQ(error(model + "[ground]\nheight = 0\n").substr(0, 34),
               "5:1: unknown key 'ground.height'");
+    EXPECT_EQ(error(model + "[radiosity]\ncells = 33\n"), "5:9: radiosity.cells: must be even");
+    EXPECT_EQ(error(model + "[radiosity]\nerror = 0\n"),
+              "5:9: radiosity.error: must be at least 1e-06 and at most 0.5, is 0");
     EXPECT_EQ(error(model + "[caustics]\ndetail = 4\n"),
               "5:10: caustics.detail: must be at least 8 and at most 2048, is 4");
     EXPECT_EQ(error(model + "[caustics]\ninterfaces = 13\n"),

@@ -229,6 +229,19 @@ CausticSpec caustics_from(const TomlTable& table) {
     return caustics;
 }
 
+RadiositySpec radiosity_from(const TomlTable& table) {
+    RadiositySpec spec;
+    spec.element = table.number("element", TomlLimits::length()).value_or(spec.element);
+    spec.smallest = table.number("smallest", TomlLimits::length()).value_or(spec.smallest);
+    spec.contrast = table.number("contrast", {.low = 0.001, .high = 1}).value_or(spec.contrast);
+    spec.deviation = table.number("deviation", TomlLimits::length()).value_or(spec.deviation);
+    spec.cells = table.integer("cells", 8, 1024).value_or(spec.cells);
+    if (spec.cells % 2 != 0) throw table.error("cells", "must be even");
+    spec.error = table.number("error", {.low = 1e-6, .high = 0.5}).value_or(spec.error);
+    table.finish();
+    return spec;
+}
+
 GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& materials) {
     GroundSpec ground;
     ground.z = table.number("z", TomlLimits::place()).value_or(ground.z);
@@ -274,6 +287,7 @@ SceneSpec parse_scene(std::string_view text, const std::string& source) {
     take_mapped_polygons(root, scene);
     if (const auto ground = root.table("ground")) scene.ground = ground_from(*ground, materials);
     if (const auto caustics = root.table("caustics")) scene.caustics = caustics_from(*caustics);
+    if (const auto table = root.table("radiosity")) scene.radiosity = radiosity_from(*table);
     scene.max_depth = root.integer("max_depth", 0, most_reflections);
     scene.min_weight = root.number("min_weight", TomlLimits::share());
     take_volumes(root, scene);

@@ -7,6 +7,7 @@
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/light/sky/sky_panels.h"
+#include "keiko/radiosity/reflected_light.h"
 
 #include <algorithm>
 #include <bit>
@@ -338,15 +339,22 @@ void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
     if (point.branch == 0) sample.illuminance = all.incident;
 }
 
+Rgb Integrator::ambient_illuminance(const ShadingPoint& point) const {
+    const SurfacePlace& place = point.place;
+    return scene_.reflected ? scene_.reflected->on_surface(place.position, place.normal)
+                            : scene_.rig.ambient;
+}
+
 Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {
     const bool is_surrounded = environment() && environment()->spec().lights;
-    if (scene_.rig.ambient == Rgb(0) && !is_surrounded) return {};
+    const Rgb ambient = ambient_illuminance(point);
+    if (ambient == Rgb(0) && !is_surrounded) return {};
     const Paint& paint = paint_of(point);
     const double cosine = point.place.normal.dot(point.eye), doubled = doubled_azimuth(point);
     const Rgb base =
         paint.base().base_reflectance_diffuse(cosine) * paint.passed_by_brushed(cosine, doubled);
     const Rgb lobes = paint.gloss_albedo(cosine, doubled);
-    Rgb sum = even_luminance(scene_.rig.ambient) * (is_surrounded ? base : base + lobes);
+    Rgb sum = even_luminance(ambient) * (is_surrounded ? base : base + lobes);
     if (!is_surrounded) return sum;
     sum += even_luminance(environment()->irradiance(point.place.normal)) * base;
     if (lobes == Rgb(0)) return sum;

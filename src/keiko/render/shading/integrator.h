@@ -93,6 +93,9 @@ public:
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 
 private:
+    /// lx on a shading point from surfaces, or else the rig's ambient light.
+    Rgb ambient_illuminance(const ShadingPoint& point) const;
+
     /// Sample that the light of a ray goes to, its weight there, and the way of the ray.
     struct PathState {
         std::size_t sample = 0;

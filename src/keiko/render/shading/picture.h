@@ -16,6 +16,7 @@
 
 namespace KEIKO_API keiko {
 
+class ReflectedLight;
 class SceneMaps;
 class SceneVolumes;
 
@@ -30,6 +31,9 @@ struct PictureScene {
     const SceneMaps* maps = nullptr;       ///< of the materials, and the environment; null: none
     std::optional<CausticSpec> caustics{}; ///< none: mirrors and glass throw no light on surfaces
     const SceneVolumes* volumes = nullptr; ///< before and behind surfaces; not with a medium
+    /// Light that surfaces reflect onto each other, in the place of the rig's ambient light; null:
+    /// none.
+    const ReflectedLight* reflected = nullptr;
 
     /// Tracer of what casts shadows.
     const Tracer& casting() const { return occluders ? occluders->tracer() : tracer; }

@@ -1,0 +1,112 @@
+#include "keiko/workflow/solve_radiosity.h"
+
+#include "keiko/base/error.h"
+#include "keiko/base/input_file.h"
+#include "keiko/base/output_file.h"
+#include "keiko/base/sha256.h"
+#include "keiko/files/model/model_serialization.h"
+#include "keiko/files/scene/rig_file.h"
+#include "keiko/math/quadrature.h"
+#include "keiko/radiosity/reflected_light.h"
+#include "keiko/radiosity/solution_file.h"
+#include "keiko/radiosity/solve_elements.h"
+#include "keiko/render/shading/paint.h"
+#include "keiko/workflow/lit_scene.h"
+
+namespace keiko {
+namespace {
+
+/// Share of uniform light that a base reflects through its coat, to all sides.
+Rgb diffuse_reflectance(const Material& material) {
+    const ClearCoat base = Paint(material).base();
+    constexpr int order = 16;
+    return integrate([&](double c) { return base.base_reflectance_diffuse(c) * (2 * c); }, 0, 1,
+                     order);
+}
+
+std::vector<Rgb> reflectances_of(const Scene& scene) {
+    std::vector<Rgb> all;
+    for (const Material& material : scene.seen_materials())
+        all.push_back(diffuse_reflectance(material));
+    return all;
+}
+
+std::vector<bool> glass_faces(const Scene& scene) {
+    std::vector<bool> glass;
+    for (const Material& material : scene.seen_materials())
+        glass.push_back(material.glass.has_value());
+    return glass;
+}
+
+const LightRig& rig_of(const Scene& scene) {
+    if (!scene.rig || scene.rig->sources.empty())
+        throw Error(source_of(scene), "", "has no lamps, whose light could be reflected");
+    return *scene.rig;
+}
+
+std::string geometry_hash(const Scene& scene) {
+    SurfaceModel seen = visible_model(scene, scene.model);
+    seen.source.clear(), seen.files.clear(), seen.diagnostics.clear();
+    return sha256_hex(serialize(seen));
+}
+
+std::string lighting_hash(const Scene& scene) {
+    std::string text = rig_text(rig_of(scene));
+    for (const Rgb& rho : reflectances_of(scene))
+        for (const double share : {rho.r, rho.g, rho.b}) text += std::to_string(share) + ' ';
+    return sha256_hex(text);
+}
+
+/// Direct light of both faces of an element at its centre, on the exact surface.
+std::array<Rgb, 2> direct_light(const LitScene& lit, const Tracer& surfaces,
+                                const ElementMesh& elements, std::uint32_t triangle) {
+    Vec3 place = elements.middle(triangle), normal = elements.normal(triangle).normalized();
+    constexpr double rounding = 1e-3; // mm
+    const double reach = elements.mesh.deviation + rounding;
+    if (const auto hit = nearest_along(surfaces, place, normal, reach)) {
+        place = hit->position;
+        normal = hit->normal.dot(normal) < 0 ? -hit->normal : hit->normal;
+    }
+    std::array<Rgb, 2> light{};
+    if (lit.source_around(place)) return light;
+    for (const std::size_t side : {0, 1})
+        for (const Rgb& lux : lit.direct(place, side == 0 ? normal : -normal)) light[side] += lux;
+    return light;
+}
+
+} // namespace
+
+RadiositySolution solve_radiosity(const Scene& scene, const Job& job) {
+    const LightRig& rig = rig_of(scene);
+    const RadiositySpec spec = scene.radiosity.value_or(RadiositySpec());
+    const SurfaceModel seen = visible_model(scene, scene.model);
+    const LitScene lit(scene, rig, TubeModel::picture, job);
+    ElementSubdivision elements(seen, spec.deviation, glass_faces(scene), job);
+    const auto direct = light_elements(
+        elements, spec, scene.tracer.bounds(),
+        [&](const ElementMesh& mesh, std::uint32_t triangle) {
+            return direct_light(lit, scene.seen(), mesh, triangle);
+        },
+        job);
+    RadiositySolution solution =
+        solve_elements(elements.elements(), direct, reflectances_of(scene), spec, job);
+    solution.geometry = geometry_hash(scene);
+    solution.lighting = lighting_hash(scene);
+    return solution;
+}
+
+void write_solution(const std::filesystem::path& path, const RadiositySolution& solution) {
+    write_text_file(path, solution_text(solution));
+}
+
+void take_solution(Scene& scene, const std::filesystem::path& path) {
+    RadiositySolution solution = parse_solution(read_text_file(path), path.string());
+    if (solution.geometry != geometry_hash(scene))
+        throw Error(path.string(), "geometry", "is of other geometry than " + source_of(scene));
+    if (solution.lighting != lighting_hash(scene))
+        throw Error(path.string(), "lighting",
+                    "is of other lamps or reflectances than " + source_of(scene));
+    scene.reflected = std::make_shared<const ReflectedLight>(std::move(solution));
+}
+
+} // namespace keiko

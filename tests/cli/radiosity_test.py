@@ -1,0 +1,108 @@
+"""`keiko radiosity`: the light that surfaces reflect onto each other, kept for other commands."""
+import csv
+import io
+import re
+import unittest
+
+from keiko_process import KeikoTest
+
+RADIUS, INTENSITY, RHO = 2000, 1000, 0.6
+# A lamp in the middle of an integrating sphere.
+SPHERE = f"""format = "keiko-scene/1"
+[[primitive]]
+kind = "sphere"
+center = [0, 0, 0]
+radius = {RADIUS}
+material = {{ diffuse = {RHO}, refractive_index = 1 }}
+[[point]]
+position = [0, 0, 0]
+intensity = {INTENSITY}
+[radiosity]
+element = 900
+deviation = 60
+cells = 32
+"""
+DIRECT = INTENSITY / (RADIUS / 1000) ** 2
+REFLECTED = DIRECT * RHO / (1 - RHO)
+POINTS = "2000,0,0,-1,0,0\n0,-2000,0,0,1,0\n0,0,0.5,0,0,1\n"
+
+
+class Radiosity(KeikoTest):
+    def solve(self, scene: str = SPHERE):
+        run = self.keiko("radiosity", self.write("scene.toml", scene), "-o", "a.solution", "-q")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        return run.stdout
+
+    def lit(self, *arguments, scene: str = SPHERE, points: str = POINTS):
+        return self.keiko("illuminance", self.write("scene.toml", scene), "-q", *arguments, input=points)
+
+    def test_an_integrating_sphere_has_its_closed_form(self):
+        self.solve()
+        run = self.lit("--solution", "a.solution", points=POINTS.rsplit("\n", 2)[0] + "\n")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        rows = list(csv.DictReader(io.StringIO(run.stdout)))
+        self.assertEqual(list(rows[0]), ["point.0", "reflected", "sum"])
+        self.assertEqual(len(rows), 2)
+        for row in rows:
+            self.assertAlmostEqual(float(row["point.0"]), DIRECT, delta=1e-6 * DIRECT)
+            self.assertAlmostEqual(float(row["reflected"]), REFLECTED, delta=0.03 * REFLECTED)
+            self.assertAlmostEqual(float(row["sum"]), float(row["point.0"]) + float(row["reflected"]), delta=1e-9)
+
+    def test_a_point_in_the_air_gathers_from_all_elements(self):
+        self.solve()
+        run = self.lit("--solution", "a.solution", points="0,300,500,0,0.6,0.8\n")
+        row, = csv.DictReader(io.StringIO(run.stdout))
+        # Its hemisphere shows one radiosity, of direct and reflected light.
+        self.assertAlmostEqual(float(row["reflected"]), RHO * (DIRECT + REFLECTED), delta=0.03 * REFLECTED)
+
+    def test_the_balance_is_told(self):
+        lines = self.solve().splitlines()
+        self.assertRegex(lines[0], r"a\.solution: \d+ elements$")
+        first, absorbed, escaped, missing = map(float, re.findall(r"(-?[\d.e-]+) lm", lines[1]))
+        flux = 4 * 3.14159265 * INTENSITY
+        self.assertAlmostEqual(first, flux * RHO, delta=0.05 * flux)
+        self.assertLess(abs(escaped), 0.01 * first)
+        self.assertLess(abs(missing), 0.03 * first)
+        self.assertAlmostEqual(first, absorbed + escaped + missing, delta=1e-3 * first)
+        self.assertRegex(lines[2], r"not yet reflected: at most [\d.e-]+ % of the light$")
+
+    def test_it_is_the_same_for_any_number_of_threads(self):
+        self.write("scene.toml", SPHERE)
+        for threads in "1", "2":
+            self.keiko("radiosity", "scene.toml", "-o", f"{threads}.solution", "-q", "--threads", threads)
+        one, other = ((self.folder / f"{threads}.solution").read_text() for threads in "12")
+        self.assertEqual(one, other)
+
+    def test_another_scene_is_refused_with_the_reason(self):
+        self.solve()
+        for change, reason in (
+            (("radius = 2000", "radius = 2001"), "a.solution:geometry: is of other geometry than scene.toml"),
+            (("intensity = 1000", "intensity = 900"),
+             "a.solution:lighting: is of other lamps or reflectances than scene.toml"),
+            (("diffuse = 0.6", "diffuse = 0.5"),
+             "a.solution:lighting: is of other lamps or reflectances than scene.toml"),
+        ):
+            run = self.lit("--solution", "a.solution", scene=SPHERE.replace(*change))
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn(reason, run.stderr)
+            self.assertEqual(run.stderr.count("\n"), 1)
+
+    def test_what_is_no_solution_is_refused(self):
+        run = self.lit("--solution", self.write("b.solution", "keiko-rig/1\n"))
+        self.assertEqual(run.returncode, 2)
+        self.assertIn('b.solution:line 1: expected "keiko-solution/1"', run.stderr)
+
+    def test_a_scene_without_lamps_is_refused(self):
+        dark = SPHERE.replace("[[point]]\nposition = [0, 0, 0]\nintensity = 1000\n", "")
+        run = self.keiko("radiosity", self.write("scene.toml", dark), "-o", "a.solution", "-q")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("has no lamps, whose light could be reflected", run.stderr)
+
+    def test_too_small_elements_are_refused(self):
+        run = self.keiko("radiosity", self.write("scene.toml", SPHERE.replace("900", "5")), "-o", "a.solution", "-q")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("element: needs more than 10000 elements; take a larger one", run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
