@@ -64,7 +64,7 @@ SCENES = {
     "lamps-in-a-row": ("lamps-in-a-row-scene", SHADED, (640, 360)),
     "panels-in-fog": ("panels-in-fog-scene", SHADED, (640, 360)),
     "overcast": ("overcast-scene", ("--tone", "reinhard"), (960, 540)),
-    **{name: ("room-scene", ("--shadows", "--ev", "6"), (720, 600)) for name in ("room", "room-direct")},
+    **{name: ("room-scene", ("--shadows", "--ev", "7"), (720, 600)) for name in ("room", "room-direct")},
     "seams": ("seams-scene", (), (1200, 400)),
     "phong-exponents": ("exponents-scene", SHADED, (1200, 320)),
     **{f"shadow-{light}": ("shadows-scene", (*SHADED, "--rig", str(ROOT / f"lightrigs/one-{light}.toml")), (360, 240))

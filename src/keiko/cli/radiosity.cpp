@@ -61,7 +61,7 @@ void add_radiosity(CLI::App& app, Session& session) {
         "lamps and reflectances, whatever the view; [radiosity] of the scene says how fine it is. "
         "Interrupted, it keeps the light that has been found.\n"
         "Exit codes: 0 solved, 2 error, 130 interrupted.\n"
-        "Example: keiko radiosity workshop-scene.toml -o workshop.solution");
+        "Example: keiko radiosity room-scene.toml -o room.solution");
     session.add_command(command,
                         [arguments](const Job& job) { return radiosity(*arguments, job); });
 }
