@@ -44,7 +44,7 @@ TexturePlace place_of(const ProjectedPlace& at, const Vec3& dx, const Vec3& dy) 
     return {Vec3(at.at.x, at.at.y, 0), change(dx), change(dy)};
 }
 
-/// The same in a panorama. Within 30 degrees of a pole both steps of a pixel run along the rows: it
+/// A place of a panorama. Within 30 degrees of a pole both steps of a pixel run along the rows: it
 /// is as wide there as both together, up to all of a turn, and as high.
 TexturePlace lat_long_place_of(const Vec3& direction, const Vec3& dx, const Vec3& dy) {
     const TexturePlace place = place_of(lat_long_place(direction), dx, dy);

@@ -14,7 +14,7 @@ namespace {
 /// Error allowed in the penumbrae of a source, as a share of its illuminance: half of the error of
 /// the whole system.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
-/// The same of a quarter of the sky, as a share of its own light.
+/// Error allowed in the visible share of a quarter of the sky.
 constexpr double sky_tolerance_in_pictures = 1e-2;
 /// Widest spacing between lines of equal visibility, as a share of half a source's width, by the
 /// angle around a tube.

@@ -13,7 +13,7 @@ namespace {
 /// of it may be missed on curved surfaces and where the light is partly hidden anyway, those of
 /// less than two pixels anywhere.
 constexpr int largest_square = 16;
-/// The same under an open sky alone, whose shadows are wide.
+/// Pixels a side of the largest squares under an open sky alone, whose shadows are wide.
 constexpr int largest_square_outdoors = 32;
 /// Pixels a side of squares that consist of their corners and middles only.
 constexpr int all_asked = 2;
