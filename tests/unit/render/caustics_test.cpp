@@ -196,6 +196,33 @@ TEST(Caustics, OfABallLensAreThoseOfItsRays) {
     EXPECT_GT(lit, 2);
 }
 
+/// The axis meets both poles of the ball, where its tangents vanish: E = I (1 - F)^2 / (D - L D / f
+/// + L)^2 on it, the lamp D before the middle, the floor L behind, and all differentials are lost.
+TEST(Caustics, OnTheAxisOfABallLensAreThoseOfThinRays) {
+    constexpr double focal = index * ball_radius / (2 * (index - 1)), far = 2000;
+    const double passed = std::pow(1 - fresnel_dielectric(1, index), 2);
+    const double thin = 1 - ball_height / focal, spread = far * thin + ball_height;
+    const PointSource lamp{.position = {0, 0, ball_height + far}, .intensity = Rgb(7)};
+    struct Case {
+        LightSource light;
+        double expected;
+    };
+    for (const auto& [light, expected] : {Case{sun_above(), lux * passed / (thin * thin)},
+                                          Case{lamp, 7e6 * passed / (spread * spread)}}) {
+        const Stage stage = ball_lens(light);
+        const PreparedRig rig(stage.rig);
+        for (const int detail : {127, 128}) {
+            const Caustics caustics(stage.tracer, stage.materials, rig, spec_of(2, detail));
+            for (const double x : {0.0, 1e-12, 1e-9, 1e-7, 1e-6, 1e-5, 1e-4})
+                EXPECT_NEAR(caustics.at(stage.piece({x, -x / 3, 0}))[0].g, expected,
+                            1e-8 * expected)
+                    << x;
+            const double seen = caustics.over(stage.piece({0, 0, 0}, 0.1)).incident.g;
+            EXPECT_NEAR(seen, expected, 0.02 * expected) << detail;
+        }
+    }
+}
+
 /// A roof far above the ball keeps the sun from it.
 TEST(Caustics, UnderARoofThereAreNone) {
     test::ShapeBuilder builder;

@@ -2,6 +2,8 @@
 
 #include "keiko/intersect/hit/hit.h"
 
+#include <algorithm>
+
 namespace keiko {
 
 /// The surface at a hit to second order: how its unit normal changes along a tangent. For hits with
@@ -46,6 +48,16 @@ inline bool is_regular(const Hit& hit) {
     constexpr double singular_sine = 1e-6;
     return hit.dpdu.cross(hit.dpdv).length() >
            singular_sine * hit.dpdu.length() * hit.dpdv.length();
+}
+
+/// Distance in patch parameters, to first order, to where the tangents enclose no area: 0 at a
+/// pole, infinite on planes. Requires second derivatives. Their rounding leaves the change of the
+/// normal right to some 1e-16 over the square of it.
+inline double distance_to_pole(const Hit& hit) {
+    const SecondDerivatives& second = *hit.second;
+    const Vec3 by_u = second.duu.cross(hit.dpdv) + hit.dpdu.cross(second.duv);
+    const Vec3 by_v = second.duv.cross(hit.dpdv) + hit.dpdu.cross(second.dvv);
+    return hit.dpdu.cross(hit.dpdv).length() / std::max(by_u.length(), by_v.length());
 }
 
 } // namespace keiko

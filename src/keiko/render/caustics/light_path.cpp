@@ -18,6 +18,7 @@ struct LightPaths::Leg {
     LightWay way{};
     const Material* inside = nullptr;  ///< solid glass that it is in
     std::optional<Vec3> first{};       ///< place of the first surface
+    bool by_pole = false;              ///< true where the differentials are not to be relied on
     const LightChart* chart = nullptr; ///< of the first leg
 };
 
@@ -29,17 +30,71 @@ struct LightPaths::Branch {
     const Material* inside = nullptr; ///< where it goes on in
 };
 
+/// A landing, whose changes are not known if the way to it met a pole.
+struct LightPaths::Arrival {
+    LightLanding landing;
+    bool by_pole;
+};
+
 std::vector<LightLanding> LightPaths::landings(const LightChart& chart, const Vec2& at) const {
-    std::vector<LightLanding> found;
-    follow({.ray = chart.ray(at), .chart = &chart}, nullptr, found);
-    return found;
+    return followed(chart, at, nullptr);
 }
 
 std::optional<LightLanding> LightPaths::landing(const LightChart& chart, const Vec2& at,
                                                 const LightWay& way) const {
-    std::vector<LightLanding> found;
-    follow({.ray = chart.ray(at), .chart = &chart}, &way, found);
+    const std::vector<LightLanding> found = followed(chart, at, &way);
     return found.empty() ? std::nullopt : std::optional(found.front());
+}
+
+std::vector<LightLanding> LightPaths::followed(const LightChart& chart, const Vec2& at,
+                                               const LightWay* only) const {
+    std::vector<Arrival> arrivals;
+    follow({.ray = chart.ray(at), .chart = &chart}, only, arrivals);
+    std::vector<LightLanding> found;
+    for (auto& [landing, by_pole] : arrivals)
+        if (!by_pole || differentiate(chart, at, landing)) found.push_back(landing);
+    return found;
+}
+
+/// Where a ray lands that goes as another, on the same face.
+std::optional<Vec3> LightPaths::position(const LightChart& chart, const Vec2& at,
+                                         const LightLanding& like) const {
+    std::vector<Arrival> arrivals;
+    follow({.ray = chart.ray(at), .chart = &chart}, &like.way, arrivals);
+    for (const auto& [landing, by_pole] : arrivals)
+        if (landing.face == like.face && landing.instance == like.instance) return landing.position;
+    return {};
+}
+
+/// Change of a landing for a step of 1, from rays at both sides; nullopt if one goes elsewhere.
+std::optional<Vec3> LightPaths::change(const LightChart& chart, const Vec2& at, const Vec2& step,
+                                       const LightLanding& like) const {
+    const auto before = position(chart, at - step, like), behind = position(chart, at + step, like);
+    if (!before || !behind) return {};
+    return (*behind - *before) / (2 * step.length());
+}
+
+/// Sets the changes of a landing by rays beside it, where the ray's own differentials are lost;
+/// false if none go the same way. Differences of two widths cancel the error of second order.
+bool LightPaths::differentiate(const LightChart& chart, const Vec2& at,
+                               LightLanding& landing) const {
+    constexpr double widest = 1e-3; // of the chart: rounding is below 1e-9 of the change
+    constexpr double even = 1e-4;   // difference between the widths of which the rest is 1e-8
+    constexpr int most_halvings = 6;
+    const Vec2 extent = chart.range().extent();
+    double width = widest * std::max(extent.x, extent.y);
+    for (int halvings = 0; halvings < most_halvings; ++halvings, width /= 2) {
+        const auto wide_x = change(chart, at, {width, 0}, landing);
+        const auto wide_y = change(chart, at, {0, width}, landing);
+        const auto x = change(chart, at, {width / 2, 0}, landing);
+        const auto y = change(chart, at, {0, width / 2}, landing);
+        if (!wide_x || !wide_y || !x || !y) continue;
+        const Vec3 off_x = *x - *wide_x, off_y = *y - *wide_y;
+        landing.dx = *x + off_x / 3, landing.dy = *y + off_y / 3;
+        const double off = std::max(off_x.length(), off_y.length());
+        if (off < even * std::max(landing.dx.length(), landing.dy.length())) return true;
+    }
+    return false;
 }
 
 /// Share of the light that arrives over a leg.
@@ -51,10 +106,9 @@ Rgb LightPaths::left_on(const Leg& leg, const Hit& hit) const {
     return transmittance(*medium_, {from, hit.position});
 }
 
-void LightPaths::follow(const Leg& leg, const LightWay* only,
-                        std::vector<LightLanding>& found) const {
+void LightPaths::follow(const Leg& leg, const LightWay* only, std::vector<Arrival>& found) const {
     const std::optional<Hit> hit = tracer_.nearest(leg.ray);
-    if (!hit || !leg.ray.differentials) return;
+    if (!hit) return;
     Leg here = leg;
     here.weight *= left_on(leg, *hit);
     here.chart = nullptr;
@@ -62,18 +116,21 @@ void LightPaths::follow(const Leg& leg, const LightWay* only,
     const bool ends = only && leg.way.length() == only->length();
     if (!leg.way.is_direct() && !materials_[hit->face].glass && (!only || ends)) {
         const Vec3& d = leg.ray.direction;
-        const RayDifferentials& rates = *leg.ray.differentials;
-        found.push_back({leg.way, hit->instance, hit->face, hit->position,
-                         hit->normal.dot(d) > 0 ? -hit->normal : hit->normal, d.normalized(),
-                         transfer(leg.ray, *hit, rates.origin_dx, rates.direction_dx),
-                         transfer(leg.ray, *hit, rates.origin_dy, rates.direction_dy), *here.first,
-                         here.weight});
+        const RayDifferentials rates = leg.ray.differentials.value_or(RayDifferentials());
+        found.push_back({{leg.way, hit->instance, hit->face, hit->position,
+                          hit->normal.dot(d) > 0 ? -hit->normal : hit->normal, d.normalized(),
+                          transfer(leg.ray, *hit, rates.origin_dx, rates.direction_dx),
+                          transfer(leg.ray, *hit, rates.origin_dy, rates.direction_dy), *here.first,
+                          here.weight},
+                         leg.by_pole || !leg.ray.differentials});
     }
     if (!ends && leg.way.length() < spec_.interfaces) go_on(here, *hit, only, found);
 }
 
 void LightPaths::go_on(const Leg& leg, const Hit& hit, const LightWay* only,
-                       std::vector<LightLanding>& found) const {
+                       std::vector<Arrival>& found) const {
+    constexpr double nearest_pole = 1e-3; // within, 1e-10 of the differentials are lost, and more
+    const bool by_pole = leg.by_pole || !(distance_to_pole(hit) > nearest_pole);
     for (const Branch& branch : branches(leg, hit)) {
         const Rgb weight = leg.weight * branch.share;
         if (only ? branch.step != only->at(leg.way.length()) || weight == Rgb(0)
@@ -83,7 +140,8 @@ void LightPaths::go_on(const Leg& leg, const Hit& hit, const LightWay* only,
                                            ? std::optional(reflect_ray(leg.ray, hit))
                                            : refract_ray(leg.ray, hit, branch.eta);
         if (!ray) continue;
-        follow({*ray, weight, leg.way.after(branch.step), branch.inside, leg.first}, only, found);
+        follow({*ray, weight, leg.way.after(branch.step), branch.inside, leg.first, by_pole}, only,
+               found);
     }
 }
 

@@ -74,10 +74,18 @@ public:
 private:
     struct Leg;
     struct Branch;
-    void follow(const Leg& leg, const LightWay* only, std::vector<LightLanding>& found) const;
+    struct Arrival;
+    void follow(const Leg& leg, const LightWay* only, std::vector<Arrival>& found) const;
     std::vector<Branch> branches(const Leg& leg, const Hit& hit) const;
     void go_on(const Leg& leg, const Hit& hit, const LightWay* only,
-               std::vector<LightLanding>& found) const;
+               std::vector<Arrival>& found) const;
+    std::vector<LightLanding> followed(const LightChart& chart, const Vec2& at,
+                                       const LightWay* only) const;
+    std::optional<Vec3> position(const LightChart& chart, const Vec2& at,
+                                 const LightLanding& like) const;
+    std::optional<Vec3> change(const LightChart& chart, const Vec2& at, const Vec2& step,
+                               const LightLanding& like) const;
+    bool differentiate(const LightChart& chart, const Vec2& at, LightLanding& landing) const;
     Rgb left_on(const Leg& leg, const Hit& hit) const;
 
     const Tracer& tracer_;
