@@ -95,6 +95,39 @@ intensity = 100
         share = (float(lit["sum"]) - float(direct["sum"])) / (100 / 1.6**2)
         self.assertTrue(0.64 < share < 0.70, share)
 
+    def test_points_in_a_focus_of_caustics_are_refused(self):
+        # Rays from between 50 and 75 mm below its middle on meet on the axis of the ball of glass.
+        ball = """format = "keiko-scene/1"
+[[primitive]]
+kind = "sphere"
+center = [0, 0, 65]
+radius = 50
+material = { refractive_index = 1.5, glass = { absorption = 0 } }
+[[primitive]]
+kind = "plane"
+origin = [-200, -200, 0]
+u = [400, 0, 0]
+v = [0, 400, 0]
+material = "clay"
+[caustics]
+detail = 64
+interfaces = 2
+[sun]
+direction = [0, 0, -1]
+illuminance = 10000
+"""
+        points = "0.01,0,0,0,0,1\n0,0,0,0,0,1\n"
+        reason = "lies in a focus of caustics of sun.0, where the light has no limit"
+        for arguments, rows in ((), 2), (("--summary",), 0):
+            run = self.keiko("illuminance", self.write("scene.toml", ball), *arguments, "-q",
+                             input=points)
+            self.assertEqual((run.returncode, len(run.stdout.splitlines())), (2, rows))
+            self.assertIn(f"standard input:2: x,y,z {reason}", run.stderr)
+        # Light through a focal line is as the inverse of the distance from it.
+        near, far = (float(row["sum"]) for row in
+                     self.rows("1e-4,0,0,0,0,1\n1e-3,0,0,0,0,1\n", scene=ball))
+        self.assertAlmostEqual(near / far, 10, delta=0.02)
+
     def test_a_summary_has_mean_and_uniformity(self):
         points = "0,0,0,0,0,1\n200,0,0,0,0,1\n"
         lux = [float(row["sum"]) for row in self.rows(points)]

@@ -65,7 +65,8 @@ void add_illuminance(CLI::App& app, Session& session) {
         "Reads x,y,z,nx,ny,nz a line: a point (mm) and the normal of the surface there, of any "
         "length (line 1 may name the columns). Writes a header line and a row for each point in "
         "order: direct illuminance in lx of each source of the scene's rig, that of surfaces "
-        "with --solution, and the sum. A point inside a lamp ends it, as a malformed line does.\n"
+        "with --solution, and the sum. A point inside a lamp or in a focus of caustics ends it, as "
+        "a malformed line does.\n"
         "Example: keiko illuminance hood-scene.toml < points.csv > lux.csv");
     session.add_command(command,
                         [arguments](const Job& job) { return illuminance(*arguments, job); });

@@ -41,6 +41,10 @@ struct LitColumns {
         : scene(of), columns(columns_of(of, by)), lit(of, by, TubeModel::automatic, job) {}
 };
 
+std::string field_of(std::size_t point) {
+    return "points[" + std::to_string(point) + "]";
+}
+
 std::string in_lamp(const std::string& column) {
     return "lies in a lamp of " + column;
 }
@@ -63,6 +67,15 @@ std::vector<double> lux_at(const LitColumns& in, const Ray& point) {
     return lux;
 }
 
+/// Reason to refuse a point with some light; nullopt if all of it has a limit.
+std::optional<std::string> in_focus(const LitColumns& in, const std::vector<double>& lux) {
+    const auto bright =
+        std::find_if(lux.begin(), lux.end(), [](double x) { return std::isinf(x); });
+    if (bright == lux.end()) return std::nullopt;
+    return "lies in a focus of caustics of " + in.columns[bright - lux.begin()] +
+           ", where the light has no limit";
+}
+
 std::string row_of(const std::vector<double>& lux) {
     std::string row;
     for (const double value : lux) {
@@ -76,10 +89,16 @@ std::string row_of(const std::vector<double>& lux) {
 void light(const LitColumns& in, Piece& piece) {
     ParsedRays parsed = rays_of(piece.lines, point_header);
     end_before_lamps(parsed, piece.lines, in);
-    piece.fault = std::move(parsed.fault);
     piece.rows.clear();
     piece.lux.clear();
-    for (const Ray& point : parsed.rays) piece.lux.push_back(lux_at(in, point));
+    for (std::size_t i = 0; i < parsed.rays.size(); ++i) {
+        std::vector<double> lux = lux_at(in, parsed.rays[i]);
+        if (const auto reason = in_focus(in, lux))
+            end_before(parsed, piece.lines, i, *reason, point_header);
+        else
+            piece.lux.push_back(std::move(lux));
+    }
+    piece.fault = std::move(parsed.fault);
 }
 
 void require_points(std::uint64_t count) {
@@ -138,13 +157,14 @@ PointIlluminance illuminance_at(const Scene& scene, const LightRig& rig,
     const LitColumns in(scene, rig, job);
     for (std::size_t i = 0; i < points.size(); ++i)
         if (const auto source = in.lit.source_around(points[i].origin))
-            throw FieldError("points[" + std::to_string(i) + "]", in_lamp(in.columns[*source]));
+            throw FieldError(field_of(i), in_lamp(in.columns[*source]));
     const std::size_t width = in.columns.size();
     PointIlluminance found{in.columns, std::vector<double>(points.size() * width)};
     constexpr std::size_t chunk = 64;
     parallel_for((points.size() + chunk - 1) / chunk, job, "light", [&](std::size_t c) {
         for (std::size_t i = c * chunk; i < std::min(points.size(), (c + 1) * chunk); ++i) {
             const std::vector<double> row = lux_at(in, points[i]);
+            if (const auto reason = in_focus(in, row)) throw FieldError(field_of(i), *reason);
             std::copy(row.begin(), row.end(), &found.lux[i * width]);
         }
     });

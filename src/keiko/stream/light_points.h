@@ -20,7 +20,7 @@ namespace KEIKO_API keiko {
 /// within 1e-3 mm of a surface counts as on it. Bodies cast shadows if the scene was opened with
 /// them. Ends early if the sink accepts no more; returns the number of points. Throws Error for a
 /// scene without a rig, and without points. It also throws for the first line that is malformed or
-/// whose point lies in a lamp, after the rows of those before it.
+/// whose point lies in a lamp or in a focus of caustics, after the rows of those before it.
 std::uint64_t light_points(const Scene& scene, const ByteSource& points, const ByteSink& rows,
                            const Job& job = {});
 

@@ -56,6 +56,7 @@ public:
     Cells(const LightChart& chart, const LightPaths& paths) : chart_(chart), paths_(paths) {}
 
     Node node(const Vec2& at) const {
+        check_stop();
         Node node{at, chart_.flux(at), {}};
         if (max_channel(node.flux) > 0) node.landings = paths_.landings(chart_, at);
         std::erase_if(node.landings,

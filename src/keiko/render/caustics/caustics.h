@@ -33,8 +33,9 @@ public:
     CausticLight over(const SurfaceFootprint& footprint, const ClearCoat* coat = nullptr) const;
     /// Illuminance by each source of the rig at a place of a surface, on a plane of unit `normal`
     /// there. Each ray that lands there is found by Newton's method from the beams about it, and
-    /// brings the light of its chart over the Jacobian of the landings. Infinite nowhere: on a fold
-    /// itself that ray does not count.
+    /// brings the light of its chart over the Jacobian of the landings. Infinite where rays narrow
+    /// 1e10 times and more from the first surface on, in foci and on focal lines. On a fold itself
+    /// that ray does not count.
     std::vector<Rgb> at(const SurfaceFootprint& place) const;
     /// lm of all beams that land on a face.
     Rgb flux_on(std::uint32_t face) const;

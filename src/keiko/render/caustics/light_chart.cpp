@@ -63,6 +63,11 @@ Rgb LightChart::flux(const Vec2& at) const {
         source_->kind());
 }
 
+double LightChart::spread(const Vec3& place) const {
+    const double distance = (place - origin_).dot(forward_);
+    return parallel_ ? 1 : distance * distance;
+}
+
 bool LightChart::reaches(const Vec3& place) const {
     const auto* sun = std::get_if<Sun>(&source_->kind());
     return !sun || sun->way_to(place).has_value();

@@ -18,6 +18,8 @@ public:
     Ray ray(const Vec2& at) const;
     /// Light in lm for an area of 1 of the coordinates; of a sun as at a place that it reaches.
     Rgb flux(const Vec2& at) const;
+    /// Area, mm2, of an area of 1 of the coordinates across the middle of the chart at a place.
+    double spread(const Vec3& place) const;
     /// Coordinates of all rays that can meet what the chart was made for.
     const Box2& range() const { return range_; }
     /// True if the light reaches a place, mm, as far as windows decide it.

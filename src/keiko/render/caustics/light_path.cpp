@@ -56,7 +56,7 @@ std::vector<LightLanding> LightPaths::followed(const LightChart& chart, const Ve
     return found;
 }
 
-/// Where a ray lands that goes as another, on the same face.
+/// Place of a landing by the same way on the same face; nullopt if the ray lands elsewhere.
 std::optional<Vec3> LightPaths::position(const LightChart& chart, const Vec2& at,
                                          const LightLanding& like) const {
     std::vector<Arrival> arrivals;
