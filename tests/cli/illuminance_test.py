@@ -123,10 +123,10 @@ illuminance = 10000
                              input=points)
             self.assertEqual((run.returncode, len(run.stdout.splitlines())), (2, rows))
             self.assertIn(f"standard input:2: x,y,z {reason}", run.stderr)
-        # Light through a focal line is as the inverse of the distance from it.
-        near, far = (float(row["sum"]) for row in
-                     self.rows("1e-4,0,0,0,0,1\n1e-3,0,0,0,0,1\n", scene=ball))
-        self.assertAlmostEqual(near / far, 10, delta=0.02)
+        # Two rays of the ball's own geometry, and one near the axis.
+        rows = self.rows("1e-3,0,0,0,0,1\n1e-2,0,0,0,0,1\n0.1,0,0,0,0,1\n", scene=ball)
+        for row, lux in zip(rows, (1554960113.8, 155964324.05, 16081242.16)):
+            self.assertAlmostEqual(float(row["sum"]) / lux, 1, delta=1e-5)
 
     def test_a_summary_has_mean_and_uniformity(self):
         points = "0,0,0,0,0,1\n200,0,0,0,0,1\n"

@@ -15,7 +15,7 @@ namespace {
 constexpr double margin = 0.3;
 /// How much less area rays have than on the first surface from which on they meet in a focus. Their
 /// places are known to 1e-8 of what casts them; the sun's own disc allows no more than 5e4.
-constexpr double focused = 1e10;
+constexpr double focused = 1e8;
 
 std::vector<Box3> boxes_of(std::span<const Beam> beams) {
     std::vector<Box3> boxes;
@@ -107,32 +107,41 @@ std::optional<Caustics::Root> Caustics::root_near(std::uint32_t number, const Ve
     const LightChart& chart = chart_of(number);
     const double size =
         std::max((beam.at[1] - beam.at[0]).length(), (beam.at[2] - beam.at[0]).length());
-    const double met = 1e-8 * size_; // mm
+    constexpr double same = 1e-4, exact = 1e-9; // of the beam: roots that near are one, and final
+    constexpr double rounding = 1e-11;          // of landings, in sizes of all that casts
+    constexpr int most_refinements = 4;         // rounding may keep Newton's steps from ending
+    const double met = 1e-8 * size_;            // mm
     Vec2 at = (beam.at[0] + beam.at[1] + beam.at[2]) / 3;
     const Vec2 begin = at;
+    std::optional<Root> found;
+    int landed = 0;
     for (int step = 0; step < most_steps; ++step) {
         const std::optional<LightLanding> landing = paths_.landing(chart, at, beam.way);
-        if (!landing) return {};
+        if (!landing) return found;
         const Vec3 off = place - landing->position;
         const Vec3 across = landing->dx.cross(landing->dy);
         const double area2 = across.length2();
-        if (!(area2 > 0)) return {};
+        if (!(area2 > 0)) return found;
+        Vec2 by(off.cross(landing->dy).dot(across) / area2,
+                landing->dx.cross(off).dot(across) / area2);
         if (off.length() < met) {
             if (!chart.reaches(landing->first)) return {};
             const double cosine = landing->normal.dot(-landing->direction);
             const double area = std::sqrt(area2);
             const bool in_focus = chart.spread(landing->first) > focused * area;
             const Rgb flux = chart.flux(at) * landing->weight;
-            return Root{at, flux / (metres(metres(area)) * cosine), landing->direction, 1e-4 * size,
-                        in_focus};
+            const double most = std::max(landing->dx.length(), landing->dy.length());
+            const double reach = std::max(same * size, rounding * size_ * most / area);
+            found = Root{at, flux / (metres(metres(area)) * cosine), landing->direction, reach,
+                         in_focus};
+            // Beside a focal line rays from far apart land as near.
+            if (in_focus || by.length() < exact * size || ++landed > most_refinements) return found;
         }
-        Vec2 by(off.cross(landing->dy).dot(across) / area2,
-                landing->dx.cross(off).dot(across) / area2);
         if (by.length() > size) by *= size / by.length();
         at += by;
-        if (!((at - begin).length() < longest * size)) return {};
+        if (!((at - begin).length() < longest * size)) return found;
     }
-    return {};
+    return found;
 }
 
 std::vector<Rgb> Caustics::at(const SurfaceFootprint& place) const {
