@@ -14,8 +14,8 @@ namespace {
 /// sides, and for folds next to it.
 constexpr double margin = 0.3;
 /// How much less area rays have than on the first surface from which on they meet in a focus. Their
-/// places are known to 1e-8 of what casts them; the sun's own disc allows no more than 5e4.
-constexpr double focused = 1e8;
+/// places are known too badly to count them; the sun's own disc allows no more than 5e4.
+constexpr double focused = 2e5;
 
 std::vector<Box3> boxes_of(std::span<const Beam> beams) {
     std::vector<Box3> boxes;

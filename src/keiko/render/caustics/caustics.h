@@ -34,7 +34,7 @@ public:
     /// Illuminance by each source of the rig at a place of a surface, on a plane of unit `normal`
     /// there. Each ray that lands there is found by Newton's method from the beams about it, and
     /// brings the light of its chart over the Jacobian of the landings. Infinite where rays narrow
-    /// 1e8 times and more from the first surface on, in foci and on focal lines. On a fold itself
+    /// 2e5 times and more from the first surface on, in foci and on focal lines. On a fold itself
     /// that ray does not count.
     std::vector<Rgb> at(const SurfaceFootprint& place) const;
     /// lm of all beams that land on a face.
