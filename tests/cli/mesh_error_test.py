@@ -139,6 +139,14 @@ class MeshLook(MeshTest):
                              (("--mesh-shadows", "ray"), "--mesh-shadows")):
             self.refuse("render", DENT, *SMALL, "-o", "picture.png", *wrong, mentioning=named)
 
+    def test_refuses_scenes_that_meshes_would_show_in_part(self):
+        casting = str(SOURCE / "surfaces" / "casting-scene.toml")
+        self.refuse("render", casting, "--look", "mesh:phong", "--mesh", "1", "--size", "32x18",
+                    "-o", "picture.png", mentioning="without volumes")
+        caustics = str(SOURCE / "surfaces" / "caustics-scene.toml")
+        self.refuse("render", caustics, "--look", "mesh:phong", "--mesh", "1", "--size", "32x18",
+                    "-o", "picture.png", mentioning="without caustics")
+
 
 if __name__ == "__main__":
     unittest.main()

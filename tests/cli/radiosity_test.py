@@ -103,6 +103,32 @@ class Radiosity(KeikoTest):
         self.assertEqual(run.returncode, 2)
         self.assertIn("element: needs more than 10000 elements; take a larger one", run.stderr)
 
+    def test_lamps_of_bodies_glass_and_caustics_belong_to_the_light(self):
+        """None of them is in the text of the rig."""
+        inside = SPHERE + """[[primitive]]
+kind = "sphere"
+center = [700, 0, 0]
+radius = 100
+material = { refractive_index = 1.5, glass = { absorption = 0.001 } }
+[[primitive]]
+kind = "box"
+origin = [-700, 0, 0]
+u = [100, 0, 0]
+v = [0, 100, 0]
+w = [0, 0, 100]
+material = { diffuse = 0.5, emits = 1000 }
+"""
+        inside = inside.replace("900", "1500")
+        run = self.keiko("radiosity", self.write("scene.toml", inside), "-o", "a.solution", "-q")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(self.lit("--solution", "a.solution", scene=inside).returncode, 0)
+        for change in (("emits = 1000", "emits = 1001"), ("0.001 }", "0.002 }"),
+                       ("[radiosity]", "[caustics]\ndetail = 8\n[radiosity]")):
+            self.assertIn(change[0], inside)
+            run = self.lit("--solution", "a.solution", scene=inside.replace(*change))
+            self.assertEqual((run.returncode, run.stdout), (2, ""), change)
+            self.assertIn("a.solution:lighting: is of other lamps or reflectances", run.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

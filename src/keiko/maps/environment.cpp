@@ -48,9 +48,10 @@ TexturePlace place_of(const ProjectedPlace& at, const Vec3& dx, const Vec3& dy) 
 /// is as wide there as both together, up to all of a turn, and as high.
 TexturePlace lat_long_place_of(const Vec3& direction, const Vec3& dx, const Vec3& dy) {
     const TexturePlace place = place_of(lat_long_place(direction), dx, dy);
+    if (4 * (direction.x * direction.x + direction.y * direction.y) > direction.length2())
+        return place;
     const double turn = std::hypot(place.dx.x, place.dy.x);
     const double rise = std::hypot(place.dx.y, place.dy.y);
-    if (turn < rise) return place;
     return {place.at, Vec3(std::min(turn, 1.0), 0, 0), Vec3(0, rise, 0)};
 }
 

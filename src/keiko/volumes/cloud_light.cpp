@@ -91,8 +91,7 @@ CloudLight::Beam CloudLight::beam(const SceneVolumes& scene, const ParallelLight
 }
 
 double CloudLight::depth(const SceneVolumes& scene, const Vec3& place, const Vec3& towards) const {
-    constexpr double far = 1e7; // mm, beyond every volume
-    const Segment way{place, place + towards * far};
+    const Segment way{place, place + towards * scene.reach_from(place)};
     if (!volume_.spec().scattering->uniform_leg) return scene.optical_depth(way, darkness);
     const auto crossing = volume_.crossing(way);
     return crossing ? mean_extinction_ * (crossing->end - crossing->begin) : 0;

@@ -106,10 +106,14 @@ Stored raw_of(const VoxelFiles& files) {
     return stored;
 }
 
+std::string name_of(const VoxelFiles& files) {
+    return files.raw.empty() ? files.header.string() : files.raw.string();
+}
+
 void require_finite(const VoxelFiles& files, const std::vector<float>& values) {
     for (std::size_t i = 0; i < values.size(); ++i)
         if (!std::isfinite(values[i]))
-            throw Error(files.raw.empty() ? files.header.string() : files.raw.string(), "",
+            throw Error(name_of(files), "",
                         "value " + std::to_string(i + 1) + " is not a finite number");
 }
 
@@ -130,8 +134,12 @@ VoxelGrid read_voxels(const VoxelFiles& files, std::span<const VoxelFilter> filt
     require_finite(files, stored.values);
     const bool colored = stored.channels == 3;
     std::vector<float> values = colored ? luminances_of(stored.values) : std::move(stored.values);
-    for (const VoxelFilter& filter : filters)
-        values = filtered(filter, std::move(values), stored.nodes, files.spacing, job);
+    try {
+        for (const VoxelFilter& filter : filters)
+            values = filtered(filter, std::move(values), stored.nodes, files.spacing, job);
+    } catch (const FieldError& e) {
+        throw Error(name_of(files), e.field(), e.reason());
+    }
     return {stored.nodes, std::move(values),
             colored ? std::move(stored.values) : std::vector<float>()};
 }

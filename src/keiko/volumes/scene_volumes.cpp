@@ -14,6 +14,13 @@ std::vector<Box3> SceneVolumes::boxes() const {
     return boxes;
 }
 
+double SceneVolumes::reach_from(const Vec3& place) const {
+    double reach = 0;
+    for (const Box3& box : boxes())
+        reach = std::max(reach, (box.center() - place).length() + box.size());
+    return reach;
+}
+
 double SceneVolumes::optical_depth(const Segment& segment, double most) const {
     double depth = 0;
     for (const Volume& volume : volumes_) {

@@ -24,6 +24,8 @@ public:
     const std::vector<Volume>& volumes() const { return volumes_; }
     /// Boxes of the volumes, mm.
     std::vector<Box3> boxes() const;
+    /// Distance from a place beyond which there is no volume, mm; 0 without any.
+    double reach_from(const Vec3& place) const;
     /// Optical depth of all volumes along a segment, or more than `most` where it is more.
     double optical_depth(const Segment& segment, double most) const;
 

@@ -1,5 +1,6 @@
 #include "keiko/volumes/voxel_filters.h"
 
+#include "keiko/base/error.h"
 #include "keiko/base/parallel.h"
 
 #include <algorithm>
@@ -53,7 +54,10 @@ std::vector<float> passed(const MedianFilter& filter, const std::vector<float>& 
 
 /// Weights of the neighbours from 0 to `reach` steps away, which with both sides sum up to 1.
 std::vector<double> gauss_weights(double width, double spacing) {
-    constexpr double reach = 4; // widths, beyond which 6e-5 of a Gaussian lie
+    constexpr double reach = 4;   // widths, beyond which 6e-5 of a Gaussian lie
+    constexpr double widest = 64; // spacings: more takes hours
+    if (width > widest * spacing)
+        throw FieldError("filter.width", "is more than 64 spacings of the voxels");
     std::vector<double> weights;
     double sum = 0;
     for (int i = 0; i <= reach * width / spacing; ++i) {

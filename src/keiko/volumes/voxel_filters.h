@@ -10,6 +10,7 @@ namespace keiko {
 
 /// Values of a grid, x fastest, then y, after preprocessing. Beyond its borders the grid continues
 /// with the nearest node. `spacing`: mm between nodes.
+/// Throws FieldError for a Gaussian wider than 64 of them.
 std::vector<float> filtered(const VoxelFilter& filter, std::vector<float> values,
                             const std::array<int, 3>& nodes, const Vec3& spacing, const Job& job);
 

@@ -37,12 +37,13 @@ std::vector<LampFaces> lamp_faces(const SurfaceModel& model, std::span<const Mat
             const Material& own = materials[f];
             if (own.emits == Rgb(0)) continue;
             const bool is_uniform = !has_emission_map(own);
-            const auto found =
-                std::find_if(lamps.begin() + static_cast<std::ptrdiff_t>(first), lamps.end(),
-                             [&](const LampFaces& lamp) {
-                                 return is_uniform && lamp.is_uniform &&
-                                        materials[lamp.faces.front()].emits == own.emits;
-                             });
+            const auto found = std::find_if(
+                lamps.begin() + static_cast<std::ptrdiff_t>(first), lamps.end(),
+                [&](const LampFaces& lamp) {
+                    const Material& first_face = materials[lamp.faces.front()];
+                    return is_uniform && lamp.is_uniform && first_face.emits == own.emits &&
+                           first_face.emits_both_ways == own.emits_both_ways;
+                });
             if (found == lamps.end())
                 lamps.push_back({{i}, {f}, is_uniform});
             else

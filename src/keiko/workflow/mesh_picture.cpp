@@ -151,6 +151,9 @@ void require_plain(const Scene& scene, const LightRig& rig) {
         throw FieldError("look", "a mesh is shown without " + what + ", which the scene has");
     };
     if (rig.medium) refuse("fog");
+    if (scene.volumes) refuse("volumes");
+    if (scene.caustics) refuse("caustics");
+    if (scene.reflected) refuse("light of a solution");
     for (const Material& material : scene.seen_materials()) {
         if (material.emits != Rgb(0)) refuse("bodies that emit light");
         if (!material.maps.empty()) refuse("maps of materials");

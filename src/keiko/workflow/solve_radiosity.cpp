@@ -6,6 +6,7 @@
 #include "keiko/base/sha256.h"
 #include "keiko/files/model/model_serialization.h"
 #include "keiko/files/scene/rig_file.h"
+#include "keiko/files/toml/toml_text.h"
 #include "keiko/math/quadrature.h"
 #include "keiko/radiosity/reflected_light.h"
 #include "keiko/radiosity/solution_file.h"
@@ -50,10 +51,39 @@ std::string geometry_hash(const Scene& scene) {
     return sha256_hex(serialize(seen));
 }
 
+void add_table(const IntensityTable& table, std::vector<double>& numbers) {
+    for (const auto* angles : {&table.vertical(), &table.horizontal()})
+        numbers.insert(numbers.end(), angles->begin(), angles->end());
+    for (std::size_t h = 0; h < table.horizontal().size(); ++h)
+        for (std::size_t v = 0; v < table.vertical().size(); ++v)
+            numbers.push_back(table.value(h, v));
+}
+
+/// All numbers that the light of a scene depends on, beside those of its lamps in the rig.
+std::vector<double> lighting_numbers(const Scene& scene) {
+    std::vector<double> numbers;
+    const auto add = [&](const Rgb& c) { numbers.insert(numbers.end(), {c.r, c.g, c.b}); };
+    for (const Rgb& reflectance : reflectances_of(scene)) add(reflectance);
+    for (const Material& material : scene.seen_materials()) {
+        add(material.emits);
+        const Glass glass = material.glass.value_or(Glass{});
+        add(glass.absorption);
+        numbers.insert(numbers.end(),
+                       {material.glass ? 1.0 : 0.0, glass.pane, material.refractive_index,
+                        material.emits_both_ways ? 1.0 : 0.0});
+    }
+    if (const auto& caustics = scene.caustics)
+        numbers.insert(numbers.end(),
+                       {1.0 * caustics->detail, 1.0 * caustics->interfaces, caustics->min_weight});
+    for (const LightSource& source : scene.rig->sources)
+        if (const auto* luminaire = std::get_if<Luminaire>(&source))
+            add_table(luminaire->web->candela, numbers);
+    return numbers;
+}
+
 std::string lighting_hash(const Scene& scene) {
     std::string text = rig_text(rig_of(scene));
-    for (const Rgb& rho : reflectances_of(scene))
-        for (const double share : {rho.r, rho.g, rho.b}) text += std::to_string(share) + ' ';
+    for (const double number : lighting_numbers(scene)) text += toml_value(number) + ' ';
     return sha256_hex(text);
 }
 
@@ -77,6 +107,7 @@ std::array<Rgb, 2> direct_light(const LitScene& lit, const Tracer& surfaces,
 } // namespace
 
 RadiositySolution solve_radiosity(const Scene& scene, const Job& job) {
+    if (!scene.occluders) throw FieldError("shadows", "are needed for light that is reflected");
     const LightRig& rig = rig_of(scene);
     const RadiositySpec spec = scene.radiosity.value_or(RadiositySpec());
     const SurfaceModel seen = visible_model(scene, scene.model);

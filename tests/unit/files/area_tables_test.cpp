@@ -89,7 +89,7 @@ TEST(AreaTables, BadPanelsAreNamed) {
         << rig_error(panel + "sides = 2\n");
     std::string many;
     for (int i = 0; i <= 1000; ++i) many += "[" + std::to_string(i) + ", 0, 0], ";
-    EXPECT_EQ(rig_error(corners + "[" + many + "]\n"), at + "must be at most 1000");
+    EXPECT_EQ(rig_error(corners + "[" + many + "]\n"), at + "must be at most 1000 corners");
 }
 
 /// A panel with maps is a body of a scene, and no light of its rig.

@@ -50,6 +50,8 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
       tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)),
       refines_(options.edge_samples > 1),
       keeps_hits_(refines_ || !options.aovs.empty()) {
+    if (scene.volumes && scene.rig.medium)
+        throw FieldError("volume", "stands in no fog: take either volumes or a rig with fog");
     std::vector<Material> known;
     for (const Material& material : scene.materials) {
         const auto found = std::find(known.begin(), known.end(), material);
@@ -231,7 +233,10 @@ void Integrator::add_light_at(double t, const MirroredLight& light, PathState& p
 
 void Integrator::pass_volumes(PathState& path, const PathVertex& met, PixelSample& sample) const {
     if (!volumes_) return;
-    const FrontToBack before = volumes_->along(leg_of(met.ray, met.hit));
+    const Vec3& eye = met.ray.origin;
+    const double reach = scene_.volumes->reach_from(eye);
+    const Vec3 end = met.hit ? met.hit->position : eye + met.ray.direction.normalized() * reach;
+    const FrontToBack before = volumes_->along({eye, end});
     sample.luminance += path.weight * before.light;
     path.weight *= 1 - before.opacity;
 }

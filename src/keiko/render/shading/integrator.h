@@ -17,6 +17,7 @@
 #include "keiko/volumes/lit_volumes.h"
 
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -201,8 +202,13 @@ private:
     /// Adds the light of a ray's hit to the view.
     Onward shade(PathState path, const PathVertex& met, const VisibleFrom& shafts,
                  SampleBatch& view) const;
-    /// Solid glass around a place; null in the air, and in a body that is open to a side.
+    /// Solid glasses whose interfaces a ray crosses an odd number of times.
+    std::set<const Paint*> glass_left_by(const Ray& ray) const;
+    /// Solid glass around a place, of one paint; null in the air, and in a body that is open to a
+    /// side. In glass within glass it is the first paint of both.
     const Paint* glass_around(const Vec3& place) const;
+    /// Solid glass around the origin of each ray.
+    std::vector<const Paint*> glass_around(std::span<const Ray> rays) const;
     /// The ways on from a hit.
     /// `mapped`: its paint if the face has maps, else null.
     Onward onward(const PathState& path, const PathVertex& met, const MappedPaint* mapped) const;

@@ -4,8 +4,10 @@
 #include "keiko/light/luminance/fresnel.h"
 #include "keiko/render/shading/integrator.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -15,20 +17,35 @@ const std::array<Vec3, 3> ways_out{{{0.31, 0.52, 0.8}, {-0.73, 0.19, -0.66}, {0.
 
 } // namespace
 
+std::set<const Paint*> Integrator::glass_left_by(const Ray& ray) const {
+    std::set<const Paint*> left;
+    for (const Hit& hit : scene_.tracer.all(ray)) {
+        const Paint& paint = paints_[paint_of_face_[hit.face]];
+        if (!paint.glass() || paint.glass()->pane > 0) continue;
+        if (!left.insert(&paint).second) left.erase(&paint);
+    }
+    return left;
+}
+
 const Paint* Integrator::glass_around(const Vec3& place) const {
     if (!glass_.any()) return nullptr;
-    const Paint* around = nullptr;
+    std::set<const Paint*> around;
     for (const Vec3& way : ways_out) {
         Ray ray;
         ray.origin = place, ray.direction = way;
-        bool inside = false;
-        for (const Hit& hit : scene_.tracer.all(ray)) {
-            const Paint& paint = paints_[paint_of_face_[hit.face]];
-            if (!paint.glass() || paint.glass()->pane > 0) continue;
-            if (!around) around = &paint;
-            inside = !inside;
-        }
-        if (!inside) return nullptr;
+        std::set<const Paint*> left = glass_left_by(ray);
+        if (&way != ways_out.data())
+            std::erase_if(left, [&](const Paint* paint) { return !around.contains(paint); });
+        around = std::move(left);
+    }
+    return around.empty() ? nullptr : *std::min_element(around.begin(), around.end());
+}
+
+std::vector<const Paint*> Integrator::glass_around(std::span<const Ray> rays) const {
+    std::vector<const Paint*> around(rays.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const bool from_last = i > 0 && rays[i].origin == rays[i - 1].origin;
+        around[i] = from_last ? around[i - 1] : glass_around(rays[i].origin);
     }
     return around;
 }

@@ -46,9 +46,9 @@ SampleBatch Integrator::view(Rays camera_rays) const {
     view.samples.resize(camera_rays.size());
     RayQueue wave;
     wave.paths.reserve(camera_rays.size());
-    const Paint* around = camera_rays.empty() ? nullptr : glass_around(camera_rays.front().origin);
+    const std::vector<const Paint*> around = glass_around(camera_rays);
     for (std::size_t i = 0; i < camera_rays.size(); ++i)
-        wave.paths.push_back({.sample = i, .weight = Rgb(1), .inside = around});
+        wave.paths.push_back({.sample = i, .weight = Rgb(1), .inside = around[i]});
     wave.rays = std::move(camera_rays);
     follow(std::move(wave), 0, view);
     return view;
@@ -100,7 +100,7 @@ void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> 
     const VisibleFrom shafts = shadows.visible();
     const std::vector<FresnelTerm> incidences = this->incidences(rays, hits, 0);
     const PixelMirror no_mirror;
-    const Paint* around = rays.empty() ? nullptr : glass_around(rays.front().origin);
+    const std::vector<const Paint*> around = glass_around(rays);
     RayQueue mirrored;
     mirrored.reserve(rays.size());
     ReflectionBatch mirroring(mirror_kernel_);
@@ -110,7 +110,7 @@ void Integrator::trace_primary(const TileRays& grid, std::span<const GridPlace> 
         sample.luminance = Rgb();
         if (keeps_hits_) sample.hit = hit;
         if (!unbent.empty()) sample.unbent = unbent[i];
-        const PathState path{.sample = places[i].number, .weight = Rgb(1), .inside = around};
+        const PathState path{.sample = places[i].number, .weight = Rgb(1), .inside = around[i]};
         const Onward onward = shade(path, {rays[i], hit, no_mirror, incidences[i]}, shafts, view);
         if (onward.passed) passed.add_passed(*onward.passed, rays[i], *hit, onward.eta);
         if (!onward.mirrored) continue;
