@@ -30,6 +30,7 @@ public:
           axis_((sphere.center - place) / distance_) {
         const double sine = sphere.radius / distance_;
         cosine_ = std::sqrt(1 - sine * sine), tangent_ = sine / cosine_;
+        reach_ = distance_ * cosine_ * cosine_;
         const Vec3 beside = std::abs(axis_.x) < 0.5 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
         const Vec3 first = axis_.cross(beside).normalized(), second = axis_.cross(first);
         across_ = first * std::cos(oblique) + second * std::sin(oblique);
@@ -44,10 +45,11 @@ public:
     bool meets(const Box3& box) const {
         const Vec3 middle = turned(box.center() - place_);
         const double radius = box.size() / 2;
-        return middle.z >= -radius && middle.z <= distance_ + radius &&
+        return middle.z >= -radius && middle.z <= reach_ + radius &&
                std::hypot(middle.x, middle.y) <= std::abs(middle.z) * tangent_ + radius / cosine_;
     }
-    /// The image of what a triangle has between the place and the sphere's middle.
+    /// The image of what a triangle has between the place and the circle in which the cone touches
+    /// the sphere: farther away the cone is wider than the sphere.
     std::vector<Vec2> image_of(const std::array<Vec3, 3>& triangle) const {
         std::vector<Vec3> corners, before;
         for (const Vec3& corner : triangle) corners.push_back(turned(corner - place_));
@@ -56,7 +58,7 @@ public:
             [&](const Vec3& corner) { before.push_back(corner); });
         std::vector<Vec2> image;
         clip_convex(
-            before, [&](std::size_t i) { return distance_ - before[i].z; },
+            before, [&](std::size_t i) { return reach_ - before[i].z; },
             [&](const Vec3& p) { image.emplace_back(p.x / p.z, p.y / p.z); });
         return image;
     }
@@ -66,6 +68,7 @@ private:
     double distance_, nearest_;
     Vec3 axis_, across_{0}, up_{0};
     double cosine_ = 1, tangent_ = 0;
+    double reach_ = 0; ///< distance along the axis of the circle in which both touch
 };
 
 /// The part of a line across the disc that a convex polygon covers; none if its end is before.

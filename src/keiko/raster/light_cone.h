@@ -15,9 +15,9 @@ struct LightSphere {
 };
 
 /// Share of the illuminance by a sphere that reaches each pixel, as lit_pixels() of many points, by
-/// the cone from the place to the sphere [Amanatides1984]. What triangles in the cone hide of it is
-/// found on `chords` lines across the sphere's image, and exact along these. 0 for places within
-/// the sphere. Throws Cancelled.
+/// the cone from the place to the sphere [Amanatides1984]. What triangles hide of it before the
+/// circle in which the cone touches the sphere is found on `chords` lines across the sphere's
+/// image, and exact along these. 0 for places within the sphere. Throws Cancelled.
 Image lit_by_cones(const MeshView& view, const ShadowCasters& casters, const LightSphere& sphere,
                    const Job& job = {}, int chords = 16);
 

@@ -1,10 +1,9 @@
 #include "keiko/raster/mesh_shadows.h"
 
-#include "keiko/raster/light_cone.h"
 #include "keiko/raster/lit_pixels.h"
 #include "keiko/raster/smooth_shading.h"
 
-#include "tests/support/hand_mesh.h"
+#include "tests/support/sphere_and_plate.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,31 +14,10 @@
 namespace keiko {
 namespace {
 
+using test::camera_above, test::floor_z, test::plate_z, test::sphere_and_plate;
+
 constexpr std::array every_algorithm{MeshShadows::ray, MeshShadows::scan_line, MeshShadows::map,
                                      MeshShadows::polygons, MeshShadows::volumes};
-constexpr double radius = 30, floor_z = -45, plate_z = -38;
-
-/// A rectangle across z in two triangles; upwards.
-void add_plate(SurfaceMesh& mesh, const Vec2& low, const Vec2& high, double z) {
-    test::add_triangle(mesh,
-                       {Vec3(low.x, low.y, z), Vec3(high.x, low.y, z), Vec3(high.x, high.y, z)});
-    test::add_triangle(mesh,
-                       {Vec3(low.x, low.y, z), Vec3(high.x, high.y, z), Vec3(low.x, high.y, z)});
-}
-
-/// A sphere about the origin and a plate over a floor.
-SurfaceMesh sphere_and_plate(int cells) {
-    SurfaceMesh mesh = test::sphere_mesh(radius, cells);
-    add_plate(mesh, Vec2(-300), Vec2(300), floor_z);
-    add_plate(mesh, Vec2(40, -20), Vec2(70, 20), plate_z);
-    return mesh;
-}
-
-Camera camera_above(Projection projection = Projection::perspective) {
-    Camera camera = test::camera_on_x(260, 100, 80, projection);
-    camera.eye = Vec3(170, 120, 130), camera.target = Vec3(10, 0, -30);
-    return camera;
-}
 
 const std::vector<Viewpoint>& lights() {
     static const std::vector<Viewpoint> all{Viewpoint::at({-90, 30, 160}), // one map sees all of it
@@ -162,7 +140,8 @@ bool in_shadow_of_plate(const Vec3& place, const Viewpoint& light) {
 
 TEST(MeshShadows, AreThoseOfTheSphereAndThePlateInClosedForm) {
     const SurfaceMesh mesh = sphere_and_plate(40);
-    const double deviation = radius * (1 - std::pow(std::cos(std::numbers::pi / 80), 2));
+    const double deviation =
+        test::sphere_radius * (1 - std::pow(std::cos(std::numbers::pi / 80), 2));
     const ShadowCasters casters(mesh);
     const Camera camera = camera_above();
     const MeshView view(mesh, camera);
@@ -178,8 +157,9 @@ TEST(MeshShadows, AreThoseOfTheSphereAndThePlateInClosedForm) {
                     // Between both radii the mesh decides; of the map also its pixels.
                     const double more = by == MeshShadows::map ? 0.3 : 0;
                     const bool plate = in_shadow_of_plate(p, light);
-                    const bool surely = in_shadow_of_sphere(p, light, radius - deviation - more);
-                    const bool maybe = in_shadow_of_sphere(p, light, radius + more);
+                    const bool surely =
+                        in_shadow_of_sphere(p, light, test::sphere_radius - deviation - more);
+                    const bool maybe = in_shadow_of_sphere(p, light, test::sphere_radius + more);
                     const bool is_dark = *lit.pixel(x, y) == 0;
                     dark += is_dark ? 1 : 0;
                     if (surely == maybe && (by != MeshShadows::map || is_inside(lit, x, y)))
@@ -211,59 +191,6 @@ TEST(MeshShadows, AreTheSameForAnyNumberOfThreads) {
     for (const MeshShadows by : every_algorithm)
         EXPECT_EQ(lit_pixels(view, casters, lights()[0], by, {.threads = 1}).values,
                   lit_pixels(view, casters, lights()[0], by, {.threads = 4}).values);
-}
-
-/// Points that stand for equal parts of a sphere, along a spiral.
-std::vector<EmittingPoint> points_of(const LightSphere& sphere, int count) {
-    std::vector<EmittingPoint> points;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1 - (2 * i + 1.0) / count, flat = std::sqrt(1 - z * z);
-        const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
-        const Vec3 normal(flat * std::cos(turn), flat * std::sin(turn), z);
-        points.push_back({sphere.center + normal * sphere.radius, normal, 1});
-    }
-    return points;
-}
-
-TEST(LightCone, AgreesWithManyPointsOfTheSphere) {
-    const SurfaceMesh mesh = sphere_and_plate(20);
-    const ShadowCasters casters(mesh);
-    Camera camera = camera_above();
-    camera.width = 50, camera.height = 40;
-    const MeshView view(mesh, camera);
-    const LightSphere sphere{Vec3(-90, 30, 160), 25};
-    const Image cones = lit_by_cones(view, casters, sphere);
-    const Image points = lit_pixels(view, casters, points_of(sphere, 600), MeshShadows::ray);
-    double sum = 0;
-    int partly = 0;
-    for (std::size_t i = 0; i < cones.values.size(); ++i) {
-        const double off = double{cones.values[i]} - double{points.values[i]};
-        if (points.values[i] > 0 && points.values[i] < 1) ++partly, sum += off * off;
-        EXPECT_LT(std::abs(off), 0.05) << i;
-    }
-    EXPECT_GT(partly, 80);
-    EXPECT_LT(std::sqrt(sum / partly), 0.012);
-}
-
-TEST(LightCone, HasTheShareOfADiscBesideAStraightEdge) {
-    // Far below a wide plate whose edge passes the axis at a part of the sphere's image: a segment
-    // of a disc. The sphere is so far that its image is small, and weighs the same everywhere.
-    SurfaceMesh mesh;
-    add_plate(mesh, Vec2(-1, -1), Vec2(1, 1), 0);
-    const double far = 10000, half = far / 2;
-    const LightSphere sphere{Vec3(0, 0, far), 100};
-    for (const double part : {-0.9, -0.3, 0.0, 0.5, 0.8}) {
-        SurfaceMesh with_edge = mesh;
-        const double edge = part * sphere.radius / far * half;
-        add_plate(with_edge, Vec2(edge, -500), Vec2(900, 500), half);
-        Camera camera = test::camera_on_x(10, 9, 9);
-        camera.eye = Vec3(0, 0, 10), camera.vertical_fov = 0.5;
-        const MeshView view(with_edge, camera);
-        const Image lit = lit_by_cones(view, ShadowCasters(with_edge), sphere, {}, 64);
-        const double visible =
-            1 - (std::acos(part) - part * std::sqrt(1 - part * part)) / std::numbers::pi;
-        EXPECT_NEAR(*lit.pixel(4, 4), visible, 1e-3) << part;
-    }
 }
 
 } // namespace
