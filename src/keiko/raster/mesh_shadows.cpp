@@ -7,6 +7,7 @@
 #include "keiko/raster/shadow_volumes.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <functional>
 
@@ -54,6 +55,7 @@ Image lit_pixels(const MeshView& view, const ShadowCasters& casters,
     const ItemBuffer& items = view.items();
     Image lit(items.width, items.height, 1), all(items.width, items.height, 1);
     for (const EmittingPoint& point : points) {
+        assert(point.area > 0);
         const Viewpoint light = Viewpoint::at(point.position);
         const Image reached = lit_pixels(view, casters, light, by, job);
         const auto add = [&](const MeshPlace& place, int x, int y) {
@@ -68,7 +70,9 @@ Image lit_pixels(const MeshView& view, const ShadowCasters& casters,
                        lit.values.begin(), std::plus<>());
     }
     std::transform(lit.values.begin(), lit.values.end(), all.values.begin(), lit.values.begin(),
-                   [](float reached, float sum) { return sum > 0 ? reached / sum : 0.0F; });
+                   [](float reached, float sum) {
+                       return sum > 0 ? std::clamp(reached / sum, 0.0F, 1.0F) : 0.0F;
+                   });
     return lit;
 }
 

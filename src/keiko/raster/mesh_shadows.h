@@ -23,7 +23,7 @@ Image lit_pixels(const MeshView& view, const ShadowCasters& casters, const Viewp
 struct EmittingPoint {
     Vec3 position{0}; ///< world, mm
     Vec3 normal{0};   ///< unit, on the side that emits
-    double area = 0;  ///< of the part of the surface that it stands for, in any unit
+    double area = 0;  ///< above 0: of the part of the surface that it stands for, in any unit
 };
 
 /// Share of the illuminance by an area light that reaches each pixel, from lights at many points
