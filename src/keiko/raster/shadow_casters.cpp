@@ -39,10 +39,15 @@ struct WayToLight {
           per_direction(Vec3(1) / direction),
           end(light.infinite() ? std::numeric_limits<double>::infinity() : 1) {}
 
-    /// By the slabs of the box; a number that is none, of 0 times infinity, excludes nothing.
+    /// By the slabs of the box. A way that runs along a slab is within it, borders included, or
+    /// not: 0 times infinity is no number.
     bool meets(const Box3& box) const {
         double first = 0, last = end;
         for (unsigned i = 0; i < 3; ++i) {
+            if (!std::isfinite(per_direction[i])) {
+                if (!(origin[i] >= box.lower[i] && origin[i] <= box.upper[i])) return false;
+                continue;
+            }
             const double a = (box.lower[i] - origin[i]) * per_direction[i];
             const double b = (box.upper[i] - origin[i]) * per_direction[i];
             if (std::min(a, b) > first) first = std::min(a, b);
