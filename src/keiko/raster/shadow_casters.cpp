@@ -71,6 +71,13 @@ std::array<Vec3, 3> ShadowCasters::corners(std::uint32_t triangle) const {
     return {mesh_.positions[a], mesh_.positions[b], mesh_.positions[c]};
 }
 
+bool ShadowCasters::hold(std::uint32_t triangle, const Viewpoint& light) const {
+    if (light.infinite()) return false;
+    const auto [a, b, c] = corners(triangle);
+    const Vec3 normal = (b - a).cross(c - a);
+    return std::abs(normal.dot(light.way_to(a))) <= rounding_ * normal.length();
+}
+
 template <class Visit>
 bool ShadowCasters::any_between(const Vec3& place, const Viewpoint& light,
                                 const Visit& visit) const {
@@ -86,7 +93,8 @@ bool ShadowCasters::any_between(const Vec3& place, const Viewpoint& light,
                             const double t = (met - place).dot(way.direction) / square;
                             // Of a triangle edge on, ray_weights() are those of its middle.
                             const bool on_way = (met - ray.at(t)).length() <= 1e3 * rounding_;
-                            return on_way && t > first && t < way.end && visit(triangle);
+                            return on_way && t > first && t < way.end && !hold(triangle, light) &&
+                                   visit(triangle);
                         });
 }
 

@@ -26,13 +26,17 @@ public:
     /// Corners of a triangle, world, mm.
     std::array<Vec3, 3> corners(std::uint32_t triangle) const;
 
-    /// True if a triangle other than `except` lies between a place and a light.
+    /// True if a light at a point lies in the plane of a triangle, within rounding. The triangle
+    /// casts no shadow then: it is seen edge on, or the light is flush with it.
+    bool hold(std::uint32_t triangle, const Viewpoint& light) const;
+    /// True if a triangle other than `except` shades a place.
     bool hide(const Vec3& place, const Viewpoint& light, std::uint32_t except) const;
-    /// Number of the triangles between a place and a light.
+    /// Number of the triangles that shade a place.
     int layers(const Vec3& place, const Viewpoint& light) const;
 
 private:
-    /// Calls `visit` with the triangles between both until it returns true.
+    /// Calls `visit` with the triangles between both that do not hold the light until it returns
+    /// true.
     template <class Visit>
     bool any_between(const Vec3& place, const Viewpoint& light, const Visit& visit) const;
 

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 
 namespace keiko {
 namespace {
@@ -49,11 +51,26 @@ std::vector<Camera> cameras_of(const Box3& bounds, const Viewpoint& light, int s
     return around;
 }
 
+/// The mesh of casters in which triangles that hold the light shrink to a corner; nullopt if none
+/// does.
+std::optional<SurfaceMesh> without_held(const ShadowCasters& casters, const Viewpoint& light) {
+    std::optional<SurfaceMesh> mesh;
+    for (std::uint32_t t = 0; t < casters.mesh().triangles.size(); ++t) {
+        if (!casters.hold(t, light)) continue;
+        if (!mesh) mesh = casters.mesh();
+        mesh->triangles[t].fill(mesh->triangles[t][0]);
+    }
+    return mesh;
+}
+
 } // namespace
 
 ShadowMap::ShadowMap(const ShadowCasters& casters, const Viewpoint& light, int size, const Job& job)
-    : light_(light), cameras_(cameras_of(casters.bounds(), light, size)) {
-    for (const Camera& camera : cameras_) views_.emplace_back(casters.mesh(), camera, job);
+    : light_(light),
+      cameras_(cameras_of(casters.bounds(), light, size)),
+      own_(without_held(casters, light)) {
+    for (const Camera& camera : cameras_)
+        views_.emplace_back(own_ ? *own_ : casters.mesh(), camera, job);
 }
 
 bool ShadowMap::sees(const Vec3& place, std::uint32_t triangle) const {

@@ -5,6 +5,7 @@
 #include "keiko/raster/mesh_view.h"
 #include "keiko/raster/shadow_casters.h"
 
+#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -20,10 +21,14 @@ public:
     /// whose plane the place is not behind by more than a pixel of the map is wide.
     bool sees(const Vec3& place, std::uint32_t triangle) const;
 
+    ShadowMap(const ShadowMap&) = delete;
+    ShadowMap& operator=(const ShadowMap&) = delete;
+
 private:
     Viewpoint light_;
-    std::vector<Camera> cameras_; ///< one towards all of the mesh, or six all around
-    std::vector<MeshView> views_;
+    std::vector<Camera> cameras_;    ///< one towards all of the mesh, or six all around
+    std::optional<SurfaceMesh> own_; ///< what casts shadows, if that is not all of the mesh
+    std::vector<MeshView> views_;    ///< keep references to the members above
 };
 
 /// lit_pixels() by a map of that many pixels a side.

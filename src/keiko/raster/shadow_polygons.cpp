@@ -51,11 +51,12 @@ bool holds(const ShadowPolygon& polygon, const Vec3& shares) {
 }
 
 std::vector<ShadowPolygon> shadows_on(const LightPyramid& pyramid, const ShadowCasters& casters,
-                                      std::uint32_t receiver) {
+                                      const Viewpoint& light, std::uint32_t receiver) {
     std::vector<ShadowPolygon> shadows;
     casters.tree().any_of([&](const Box3& box) { return pyramid.meets(box); },
                           [&](std::uint32_t triangle) {
-                              if (triangle == receiver) return false;
+                              if (triangle == receiver || casters.hold(triangle, light))
+                                  return false;
                               shadows.push_back(pyramid.shadow_of(casters.corners(triangle)));
                               if (shadows.back().size() < 3) shadows.pop_back();
                               return false;
@@ -68,7 +69,7 @@ void light_pixels(const MeshView& view, const ShadowCasters& casters, const View
                   std::uint32_t triangle, std::span<const std::size_t> pixels, Image& lit) {
     const LightPyramid pyramid(view.corners(triangle), light, casters.rounding());
     if (!pyramid.lights() || !faces_light(view, triangle, light)) return;
-    const std::vector<ShadowPolygon> shadows = shadows_on(pyramid, casters, triangle);
+    const std::vector<ShadowPolygon> shadows = shadows_on(pyramid, casters, light, triangle);
     for (const std::size_t number : pixels) {
         const auto pixel = static_cast<int>(number);
         const int x = pixel % lit.width, y = pixel / lit.width;

@@ -26,12 +26,12 @@ Vec3 met_by(const MeshView& view, std::uint32_t triangle, double x, double y) {
 
 /// The parts of a span that triangles shade, from its left end, 0, to its right one, 1.
 IntervalSet shaded_parts(const LightPyramid& pyramid, const ShadowCasters& casters,
-                         std::uint32_t own) {
+                         const Viewpoint& light, std::uint32_t own) {
     std::vector<ParameterInterval> parts;
     casters.tree().any_of(
         [&](const Box3& box) { return pyramid.meets(box); },
         [&](std::uint32_t triangle) {
-            if (triangle == own) return false;
+            if (triangle == own || casters.hold(triangle, light)) return false;
             ParameterInterval part{1, 0};
             for (const Vec3& shares : pyramid.shadow_of(casters.corners(triangle)))
                 part = {std::min(part.begin, shares.y), std::max(part.end, shares.y)};
@@ -48,7 +48,7 @@ void light_span(const MeshView& view, const ShadowCasters& casters, const Viewpo
                                    met_by(view, span.triangle, span.last + 1, y)};
     const LightPyramid pyramid(ends, light, casters.rounding());
     if (!pyramid.lights()) return;
-    const IntervalSet shaded = shaded_parts(pyramid, casters, span.triangle);
+    const IntervalSet shaded = shaded_parts(pyramid, casters, light, span.triangle);
     const Vec3 along = ends[1] - ends[0];
     for (int x = span.first; x <= span.last; ++x) {
         const Vec3 way = met_by(view, span.triangle, x + 0.5, y) - ends[0];

@@ -38,14 +38,15 @@ std::vector<std::uint32_t> joined_corners(const SurfaceMesh& mesh) {
     return joined;
 }
 
-/// The edges of all triangles, each turned to the light, and their layers: 1 or -1.
+/// The edges of all triangles that cast shadows, each turned to the light, and their layers: 1 or
+/// -1.
 std::vector<ContourEdge> turned_edges(const ShadowCasters& casters, const Viewpoint& light) {
     const std::vector<std::uint32_t> joined = joined_corners(casters.mesh());
     std::vector<ContourEdge> edges;
     for (std::uint32_t t = 0; t < casters.mesh().triangles.size(); ++t) {
         const auto [a, b, c] = casters.corners(t);
         const double side = (b - a).cross(c - a).dot(light.way_to(a));
-        if (side == 0) continue;
+        if (side == 0 || casters.hold(t, light)) continue;
         for (std::size_t i = 0; i < 3; ++i) {
             const auto& corners = casters.mesh().triangles[t];
             const std::uint32_t from = joined[corners[i]], to = joined[corners[(i + 1) % 3]];

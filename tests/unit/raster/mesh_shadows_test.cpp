@@ -183,6 +183,47 @@ TEST(MeshShadows, VolumesCountFromAnEyeInTheShadow) {
     EXPECT_EQ(wrong_inside(truth, lit_pixels(view, casters, light, MeshShadows::volumes)), 0);
 }
 
+/// A ceiling in two triangles over a scene.
+Vec3 on_ceiling(double x, double y) {
+    return {x, y, 160 + 0.3 * x + 0.1 * y};
+}
+
+void add_ceiling(SurfaceMesh& mesh) {
+    const Vec3 a = on_ceiling(-290, -280), b = on_ceiling(310, -270), c = on_ceiling(270, 290),
+               d = on_ceiling(-300, 260);
+    test::add_triangle(mesh, {a, b, c}), test::add_triangle(mesh, {a, c, d});
+}
+
+/// Pixels that show the begin of a mesh in which two pictures differ.
+int different(const MeshView& view, std::size_t triangles, const Image& a, const Image& b) {
+    int count = 0;
+    for (int y = 0; y < a.height; ++y)
+        for (int x = 0; x < a.width; ++x)
+            if (const auto place = view.at(x, y); place && place->triangle < triangles)
+                count += *a.pixel(x, y) != *b.pixel(x, y) ? 1 : 0;
+    return count;
+}
+
+TEST(MeshShadows, OfALampFlushWithACeilingAreThoseWithoutIt) {
+    const SurfaceMesh open = sphere_and_plate(16);
+    SurfaceMesh closed = open;
+    add_ceiling(closed);
+    const ShadowCasters without(open), with(closed);
+    const Camera camera = camera_above();
+    const MeshView view(closed, camera);
+    for (const Vec2& at : {Vec2(-90.1, 30.3), Vec2(-20.7, 10.1), Vec2(60.3, -70.9)}) {
+        const Viewpoint light = Viewpoint::at(on_ceiling(at.x, at.y));
+        for (const MeshShadows by : every_algorithm) {
+            const Image truth = lit_pixels(view, without, light, by);
+            EXPECT_GT(lit_count(truth), 900);
+            EXPECT_LE(
+                different(view, open.triangles.size(), truth, lit_pixels(view, with, light, by)),
+                by == MeshShadows::map ? 40 : 0)
+                << static_cast<int>(by);
+        }
+    }
+}
+
 TEST(MeshShadows, AreTheSameForAnyNumberOfThreads) {
     const SurfaceMesh mesh = sphere_and_plate(16);
     const ShadowCasters casters(mesh);
