@@ -1,5 +1,7 @@
 #include "keiko/drawing/hidden/sight_test.h"
 
+#include "keiko/math/symmetric_eigen.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,13 +20,27 @@ constexpr double in_surface = 1e-8;
 /// the line than same_place, but no deeper than rounding.
 constexpr double same_surface = 1e-11;
 
-/// How far apart the faces at each edge of a file may be to count as one, mm.
+/// How far apart the faces at each edge of a file may be to count as one, mm, part coordinates.
 std::vector<double> seam_widths(const SurfaceModel& model, const Tracer& tracer) {
     std::vector<double> widths(model.edges.size());
     for (std::uint32_t i = 0; i < model.trim_curves.size(); ++i)
         if (const std::uint32_t edge = model.trim_curves[i].edge; edge != no_index)
             widths[edge] = std::max(widths[edge], tracer.seam_width(i));
     return widths;
+}
+
+/// By how much each instance stretches lengths at most.
+std::vector<double> largest_stretches(const SurfaceModel& model) {
+    std::vector<double> stretches;
+    for (const Instance& instance : model.instances) {
+        const auto& rows = instance.transform.rows;
+        SquareMatrix<3> products;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t j = 0; j < 3; ++j) products[i][j] = rows[i].dot(rows[j]);
+        const auto squares = symmetric_eigen(products).values;
+        stretches.push_back(std::sqrt(*std::max_element(squares.begin(), squares.end())));
+    }
+    return stretches;
 }
 
 } // namespace
@@ -35,7 +51,8 @@ SightTest::SightTest(const SurfaceModel& model, const Tracer& tracer,
       projection_(projection),
       size_(tracer.bounds().size()),
       before_(2 * size_ + 1),
-      seam_widths_(seam_widths(model, tracer)) {}
+      seam_widths_(seam_widths(model, tracer)),
+      stretches_(largest_stretches(model)) {}
 
 bool SightTest::hides(const Hit& hit, const Ray& ray, const ModelCurve& curve) const {
     const double length = ray.direction.length();
@@ -46,8 +63,12 @@ bool SightTest::hides(const Hit& hit, const Ray& ray, const ModelCurve& curve) c
     const bool own = std::find(curve.faces.begin(), curve.faces.end(), face) != curve.faces.end();
     if (!(before > same_place * size_ + curve.reach)) return false;
     // Within the width of a seam the line may have met this face for the one of the point.
-    const double seam = hit.seam ? same_place * size_ + 2 * seam_widths_[*hit.seam] : 0;
+    const double seam = hit.seam ? same_place * size_ + 2 * seam_width(hit) : 0;
     return below > (own ? same_surface : in_surface) * size_ + curve.reach + seam;
+}
+
+double SightTest::seam_width(const Hit& hit) const {
+    return seam_widths_[*hit.seam] * stretches_[hit.instance];
 }
 
 int SightTest::sheets_before(const Vec3& point, const ModelCurve& curve) const {

@@ -36,11 +36,15 @@ private:
     /// True if a hit of the line of sight hides the point at its end, at t = 1.
     bool hides(const Hit& hit, const Ray& ray, const ModelCurve& curve) const;
 
+    /// Width of the seam at which a hit was found, world, mm, at most.
+    double seam_width(const Hit& hit) const;
+
     const Tracer& tracer_;
     const ImageProjection& projection_;
     double size_;
     double before_;                   ///< mm, length of parallel lines of sight
-    std::vector<double> seam_widths_; ///< mm, by edge of the file
+    std::vector<double> seam_widths_; ///< mm, part coordinates, by edge of the file
+    std::vector<double> stretches_;   ///< by instance: of lengths at most
 };
 
 } // namespace keiko
