@@ -3,13 +3,17 @@
 #include "keiko/base/parallel.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <optional>
+#include <utility>
 
 namespace keiko {
 namespace {
 
 /// Distance from an end of the curve, of the body's size, within which nothing is pierced.
 constexpr double at_end = 1e-5;
+/// Parameters of the curve within which piercings of a face are one.
+constexpr double same_piercing = 1e-9;
 
 class PiercingSearch {
 public:
@@ -17,7 +21,7 @@ public:
         : curve_(curve), tracer_(tracer), end_(at_end * tracer.bounds().size() + curve.reach) {}
 
     std::vector<Piercing> run() const {
-        std::vector<Piercing> found;
+        std::vector<FacePiercing> found;
         const std::vector<Vec3>& points = curve_.course.points;
         std::vector<Ray> chords;
         for (std::size_t i = 0; i + 1 < points.size(); ++i)
@@ -27,12 +31,32 @@ public:
             if (!met[i]) continue;
             for (const Hit& hit : tracer_.all(chords[i]))
                 if (const auto piercing = refined(hit, static_cast<double>(i)))
-                    found.push_back(*piercing);
+                    found.push_back({*piercing, {hit.instance, hit.face}});
         }
-        return found;
+        return each_once(std::move(found));
     }
 
 private:
+    struct FacePiercing {
+        Piercing at;
+        PlacedFace face;
+    };
+
+    /// By rising parameter. One at a point of the curve is found by both chords that meet there.
+    static std::vector<Piercing> each_once(std::vector<FacePiercing> found) {
+        std::stable_sort(
+            found.begin(), found.end(),
+            [](const FacePiercing& a, const FacePiercing& b) { return a.at.t < b.at.t; });
+        std::vector<Piercing> once;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+            bool repeated = false;
+            for (std::size_t k = i; k-- > 0 && found[i].at.t - found[k].at.t <= same_piercing;)
+                repeated |= found[k].face == found[i].face;
+            if (!repeated) once.push_back(found[i].at);
+        }
+        return once;
+    }
+
     static Ray chord(const Vec3& from, const Vec3& to) {
         Ray ray;
         ray.origin = from, ray.direction = to - from, ray.t_max = 1;
@@ -51,7 +75,7 @@ private:
     }
 
     /// The piercing near a hit of the chord that begins at a point of the curve, by ever shorter
-    /// chords about it. Those of a level cover half a chord of the level before to either side: a
+    /// chords about it. Those of a level cover a whole chord of the level before to either side: a
     /// flat crossing of the exact curve may lie that far from the chord's.
     std::optional<Piercing> refined(const Hit& hit, double begin) const {
         if (is_own(hit) || is_at_end(hit.position)) return std::nullopt;
