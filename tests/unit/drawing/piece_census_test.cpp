@@ -36,8 +36,10 @@ protected:
         const test::RayTally tally = census(load_model(file), test::ray_count(2, 60));
         EXPECT_EQ(tally.wrong, 0u) << "of " << tally.places;
         EXPECT_LT(tally.undecided, tally.places / 2) << "of " << tally.places;
+        EXPECT_LE(tally.forgiven, tally.places / 200) << "of " << tally.places;
         RecordProperty("places", std::to_string(tally.places));
         RecordProperty("undecided", std::to_string(tally.undecided));
+        RecordProperty("forgiven", std::to_string(tally.forgiven));
     }
 };
 
