@@ -9,9 +9,10 @@
 
 namespace keiko {
 
-/// Counts by rays what hides points of curves. A point that lies in a surface to within a millionth
-/// of the body's size, or to within the width of the seam at which it was hit, is not hidden by it.
-/// Keeps references to its arguments.
+/// Counts by rays what hides points of curves. A surface hides a point if it lies before it by more
+/// than 1e-6 of the body's size along the line of sight. Square to the surface it must be more than
+/// 1e-8 of the size, or 1e-11 on a face of the curve. Both grow by the curve's reach. At a seam the
+/// latter grows by 1e-6 of the size and twice the seam's width. Keeps references to its arguments.
 class SightTest {
 public:
     /// `tracer`: of the body.
