@@ -141,6 +141,23 @@ TEST(CloudLight, OfAThinUniformCloudInUniformLightIsItsShareOfThatLight) {
     }
 }
 
+TEST(CloudLight, OfALayerOfKilometresIsDimmedByAllOfIt) {
+    VolumeSpec spec;
+    spec.voxels.spacing = Vec3(4e6); // mm: 40 km in all
+    spec.extinction.points = {{0, 1e-4}};
+    spec.scattering = VolumeScattering{};
+    LightRig rig;
+    rig.sources.push_back(Sun{.direction = Vec3(0, 0, -1), .illuminance = Rgb(1000)});
+    std::vector<Volume> volumes;
+    volumes.emplace_back(spec, VoxelGrid({11, 11, 11}, std::vector<float>(1331, 0.0F)), Job{});
+    const SceneVolumes scene(std::move(volumes));
+    EXPECT_GE(scene.reach_from(Vec3(0, 0, -5e6)), 45e6);
+    const FrontToBack cast =
+        LitVolumes(scene, rig).along({Vec3(-1, 2e7, 1e6), Vec3(1e6, 2e7, 1e6)});
+    const double unit = 0.9 * 1000 / (4 * std::numbers::pi);
+    EXPECT_NEAR(cast.light.g / cast.opacity, unit * std::exp(-1e-4 * 39e3), 1e-3 * unit);
+}
+
 TEST(CloudLight, CountsAUniformMediumInsteadOfTheVoxels) {
     // A layer without extinction towards the sun, which the voxels know of.
     std::vector<float> values;
