@@ -87,7 +87,7 @@ inline bool is_steady(const Vec3& point, const ModelCurve& curve, const DrawnBod
     return true;
 }
 
-/// What rays say of whether a point of a curve is visible.
+/// Whether a point of a curve is visible, by rays.
 enum class RayVerdict {
     agrees,    ///< with what was expected
     wrong,     ///< the contrary, and rays beside it do not differ

@@ -16,7 +16,7 @@ namespace {
 /// Share of the polygon's area up to which three corners are in line.
 constexpr double in_line = 1e-12;
 
-/// What is left of a polygon while its ears are cut off.
+/// Cuts the ears off a polygon one by one.
 class EarCutter {
 public:
     using Triangle = std::array<Vec3, 3>;

@@ -7,7 +7,7 @@
 namespace keiko {
 namespace {
 
-/// Sheets before a point that many gaps below the seam of two squares, looked at from above. The
+/// Sheets before a point that many gaps below the seam of two squares, seen from above. The
 /// squares are scaled, and lengths with them.
 int sheets_above(double gaps, double scale) {
     constexpr double gap = 0.03;
