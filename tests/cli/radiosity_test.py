@@ -55,6 +55,34 @@ class Radiosity(KeikoTest):
         # Its hemisphere shows one radiosity, of direct and reflected light.
         self.assertAlmostEqual(float(row["reflected"]), RHO * (DIRECT + REFLECTED), delta=0.03 * REFLECTED)
 
+    def test_a_thin_shell_is_lit_on_the_skin_that_faces_the_lamp(self):
+        # Its elements leave the surface by more than its thickness: the other skin is nearer.
+        part = """[[primitive]]
+kind = "sphere"
+center = [0, 0, 500]
+radius = {radius}
+material = {{ diffuse = 0.6, refractive_index = 1 }}
+"""
+        rest = """[[point]]
+position = [0, 0, 3000]
+intensity = 1000
+[radiosity]
+element = 500
+smallest = 500
+deviation = 20
+cells = 8
+error = 0.5
+"""
+        outer, inner = part.format(radius=500), part.format(radius=499)
+
+        def first(parts: str) -> float:
+            summary = self.solve(f'format = "keiko-scene/1"\n{parts}{rest}')
+            return float(re.search(r"reflected first ([\d.e-]+) lm", summary)[1])
+
+        solid, shell = first(outer), first(outer + inner)
+        self.assertGreater(solid, 50)
+        self.assertAlmostEqual(shell, solid, delta=1e-3 * solid)
+
     def test_the_balance_is_told(self):
         lines = self.solve().splitlines()
         self.assertRegex(lines[0], r"a\.solution: \d+ elements$")

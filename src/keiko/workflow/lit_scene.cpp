@@ -8,14 +8,16 @@
 namespace keiko {
 
 std::optional<Hit> nearest_along(const Tracer& surfaces, const Vec3& point, const Vec3& normal,
-                                 double reach) {
+                                 double reach, std::optional<PlacedFace> only) {
     Ray across;
     across.origin = point;
     across.direction = normal;
     across.t_min = -reach, across.t_max = reach;
     std::optional<Hit> nearest;
-    for (const Hit& hit : surfaces.all(across))
+    for (const Hit& hit : surfaces.all(across)) {
+        if (only && (hit.instance != only->instance || hit.face != only->face)) continue;
         if (!nearest || std::abs(hit.t) < std::abs(nearest->t)) nearest = hit;
+    }
     return nearest;
 }
 

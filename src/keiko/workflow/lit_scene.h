@@ -6,15 +6,22 @@
 #include "keiko/workflow/open_scene.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
 
 namespace keiko {
 
-/// The hit nearest to a point on the line through it along a normal, up to `reach` mm away.
+/// A face of a placed part, as hits name it.
+struct PlacedFace {
+    std::uint32_t instance = 0, face = 0; ///< into the model's arrays
+};
+
+/// The hit nearest to a point on the line through it along a normal, up to `reach` mm away: of one
+/// face `only`, or of any.
 std::optional<Hit> nearest_along(const Tracer& surfaces, const Vec3& point, const Vec3& normal,
-                                 double reach);
+                                 double reach, std::optional<PlacedFace> only = {});
 
 /// A scene under a rig, prepared once for its light at many points, as numbers.
 class LitScene {

@@ -87,13 +87,15 @@ std::string lighting_hash(const Scene& scene) {
     return sha256_hex(text);
 }
 
-/// Direct light of both faces of an element at its centre, on the exact surface.
+/// Direct light of both faces of an element at its centre, on its own exact surface: beside a thin
+/// sheet the other skin may be nearer.
 std::array<Rgb, 2> direct_light(const LitScene& lit, const Tracer& surfaces,
                                 const ElementMesh& elements, std::uint32_t triangle) {
     Vec3 place = elements.middle(triangle), normal = elements.normal(triangle).normalized();
     constexpr double rounding = 1e-3; // mm
     const double reach = elements.mesh.deviation + rounding;
-    if (const auto hit = nearest_along(surfaces, place, normal, reach)) {
+    const PlacedFace own{elements.instances[triangle], elements.mesh.faces[triangle]};
+    if (const auto hit = nearest_along(surfaces, place, normal, reach, own)) {
         place = hit->position;
         normal = hit->normal.dot(normal) < 0 ? -hit->normal : hit->normal;
     }
