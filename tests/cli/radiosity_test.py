@@ -126,6 +126,22 @@ error = 0.5
         self.assertEqual(run.returncode, 2)
         self.assertIn("has no lamps, whose light could be reflected", run.stderr)
 
+    def test_what_reflects_all_light_is_refused(self):
+        white = SPHERE.replace(f"diffuse = {RHO}", "diffuse = 1")
+        self.write("m.toml", """format = "keiko-materials/1"
+[[material]]
+name = "white"
+diffuse = 1
+refractive_index = 1
+""")
+        named = white.replace("{ diffuse = 1, refractive_index = 1 }", '"white"').replace(
+            "[[primitive]]", 'materials = "m.toml"\n[[primitive]]')
+        for scene, material in (white, "material of face 1"), (named, 'material "white"'):
+            run = self.keiko("radiosity", self.write("scene.toml", scene), "-o", "a.solution", "-q")
+            self.assertEqual((run.returncode, run.stdout), (2, ""))
+            self.assertIn(f"{material}: reflects all light: radiosity needs less than 1", run.stderr)
+            self.assertFalse((self.folder / "a.solution").exists())
+
     def test_too_small_elements_are_refused(self):
         run = self.keiko("radiosity", self.write("scene.toml", SPHERE.replace("900", "5")), "-o", "a.solution", "-q")
         self.assertEqual(run.returncode, 2)

@@ -4,6 +4,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/output_file.h"
 #include "keiko/base/sha256.h"
+#include "keiko/base/text.h"
 #include "keiko/files/model/model_serialization.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/files/toml/toml_text.h"
@@ -13,6 +14,8 @@
 #include "keiko/radiosity/solve_elements.h"
 #include "keiko/render/shading/paint.h"
 #include "keiko/workflow/lit_scene.h"
+
+#include <cmath>
 
 namespace keiko {
 namespace {
@@ -30,6 +33,20 @@ std::vector<Rgb> reflectances_of(const Scene& scene) {
     for (const Material& material : scene.seen_materials())
         all.push_back(diffuse_reflectance(material));
     return all;
+}
+
+/// Throws Error for a material that loses too little light: its reflections would never end.
+void require_losses(const Scene& scene, std::span<const Rgb> reflectances) {
+    constexpr double least = 1e-6;
+    for (std::size_t face = 0; face < reflectances.size(); ++face) {
+        const Material& material = scene.seen_materials()[face];
+        if (material.glass || max_channel(reflectances[face]) < 1 - least) continue;
+        const std::string which = material.name.empty()
+                                      ? "of face " + std::to_string(scene.face_id(face))
+                                      : in_quotes(material.name);
+        throw Error(source_of(scene), "material " + which,
+                    "reflects all light: radiosity needs less than 1");
+    }
 }
 
 std::vector<bool> glass_faces(const Scene& scene) {
@@ -112,6 +129,8 @@ RadiositySolution solve_radiosity(const Scene& scene, const Job& job) {
     if (!scene.occluders) throw FieldError("shadows", "are needed for light that is reflected");
     const LightRig& rig = rig_of(scene);
     const RadiositySpec spec = scene.radiosity.value_or(RadiositySpec());
+    const std::vector<Rgb> reflectances = reflectances_of(scene);
+    require_losses(scene, reflectances);
     const SurfaceModel seen = visible_model(scene, scene.model);
     const LitScene lit(scene, rig, TubeModel::picture, job);
     ElementSubdivision elements(seen, spec.deviation, glass_faces(scene), job);
@@ -122,13 +141,15 @@ RadiositySolution solve_radiosity(const Scene& scene, const Job& job) {
         },
         job);
     RadiositySolution solution =
-        solve_elements(elements.elements(), direct, reflectances_of(scene), spec, job);
+        solve_elements(elements.elements(), direct, reflectances, spec, job);
     solution.geometry = geometry_hash(scene);
     solution.lighting = lighting_hash(scene);
     return solution;
 }
 
 void write_solution(const std::filesystem::path& path, const RadiositySolution& solution) {
+    if (!std::isfinite(solution.remaining))
+        throw Error(path.string(), "remaining", "is not finite: no light was found");
     write_text_file(path, solution_text(solution));
 }
 

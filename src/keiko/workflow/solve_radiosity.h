@@ -13,11 +13,13 @@ namespace KEIKO_API keiko {
 /// Light that the diffuse surfaces of a scene reflect onto each other under its rig
 /// (docs/theory/radiosity.md), divided as `scene.radiosity` says. Glass is left out. The scene must
 /// have been opened with shadows. A stop of the job while light is shot ends it early, with a
-/// solution whose `remaining` says so. Throws Error for a scene without lamps, FieldError for one
-/// that needs too many elements, and Cancelled for a stop before light is shot.
+/// solution whose `remaining` says so. Throws Error for a scene without lamps and for one with a
+/// material that reflects all light, FieldError for one that needs too many elements, and Cancelled
+/// for a stop before light is shot.
 RadiositySolution solve_radiosity(const Scene& scene, const Job& job = {});
 
-/// Writes a solution (keiko-solution/1) as a whole or not at all. Throws Error.
+/// Writes a solution (keiko-solution/1) as a whole or not at all. Throws Error, also for one whose
+/// `remaining` is not finite.
 void write_solution(const std::filesystem::path& path, const RadiositySolution& solution);
 
 /// Gives a scene the reflected light of a solution. Throws Error for a file that is no solution,
