@@ -55,6 +55,19 @@ class Radiosity(KeikoTest):
         # Its hemisphere shows one radiosity, of direct and reflected light.
         self.assertAlmostEqual(float(row["reflected"]), RHO * (DIRECT + REFLECTED), delta=0.03 * REFLECTED)
 
+    def test_a_point_of_glass_has_the_light_of_the_air_before_it(self):
+        scene = SPHERE.replace("[[point]]", """[[primitive]]
+kind = "sphere"
+center = [1000, 0, 0]
+radius = 100
+material = { glass = { absorption = 0 } }
+[[point]]""")
+        self.solve(scene)
+        run = self.lit("--solution", "a.solution", scene=scene, points="1100,0,0,1,0,0\n1100.1,0,0,1,0,0\n")
+        glass, air = (float(row["reflected"]) for row in csv.DictReader(io.StringIO(run.stdout)))
+        self.assertAlmostEqual(glass, air, delta=1e-3 * air)
+        self.assertAlmostEqual(air, RHO * (DIRECT + REFLECTED), delta=0.05 * REFLECTED)
+
     def test_a_thin_shell_is_lit_on_the_skin_that_faces_the_lamp(self):
         # Its elements leave the surface by more than its thickness: the other skin is nearer.
         part = """[[primitive]]

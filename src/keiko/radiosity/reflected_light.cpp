@@ -2,10 +2,10 @@
 
 #include "keiko/raster/smooth_shading.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace keiko {
 namespace {
@@ -18,6 +18,10 @@ using Triangle = std::array<Vec3, 3>;
 Triangle corners_of(const RadiositySolution& s, std::size_t triangle) {
     const auto& [a, b, c] = s.triangles[triangle];
     return {s.corners[a], s.corners[b], s.corners[c]};
+}
+
+double longest_side(const Triangle& t) {
+    return std::max({(t[1] - t[0]).length(), (t[2] - t[1]).length(), (t[0] - t[2]).length()});
 }
 
 Vec3 normal_of(const Triangle& t) {
@@ -65,7 +69,7 @@ ReflectedLight::ReflectedLight(RadiositySolution solution)
     mesh_.triangles = solution_.triangles;
 }
 
-Rgb ReflectedLight::on_surface(const Vec3& point, const Vec3& normal) const {
+std::optional<Rgb> ReflectedLight::on_surface(const Vec3& point, const Vec3& normal) const {
     constexpr double least_cosine = 0.5;
     std::optional<std::uint32_t> nearest;
     Vec3 weights(0);
@@ -81,7 +85,7 @@ Rgb ReflectedLight::on_surface(const Vec3& point, const Vec3& normal) const {
         if (away < distance) nearest = triangle, weights = shares, distance = away;
         return distance;
     });
-    if (!nearest) return {};
+    if (!nearest || distance > longest_side(corners_of(solution_, *nearest))) return std::nullopt;
     const std::size_t side = cosine(*nearest) >= 0 ? 0 : 1;
     const auto& [a, b, c] = solution_.triangles[*nearest];
     return mixed(weights, std::array<Rgb, 3>{corner_light_[a][side], corner_light_[b][side],
@@ -97,6 +101,11 @@ Rgb ReflectedLight::in_space(const Vec3& point, const Vec3& normal) const {
         sum += element[back ? 1 : 0].radiosity * factors[i];
     }
     return sum;
+}
+
+Rgb ReflectedLight::arriving(const Vec3& point, const Vec3& normal) const {
+    const std::optional<Rgb> light = on_surface(point, normal);
+    return light ? *light : in_space(point, normal);
 }
 
 } // namespace keiko

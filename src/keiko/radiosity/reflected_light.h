@@ -6,6 +6,7 @@
 #include "keiko/radiosity/radiosity_solution.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace keiko {
@@ -20,11 +21,13 @@ public:
     const RadiositySolution& solution() const { return solution_; }
     /// Illuminance in lx, without direct light, of a point of a surface on the side of its unit
     /// normal. It is interpolated between the corners of the nearest element whose normal or its
-    /// opposite is within 60 degrees; 0 without one. A corner has the mean of the elements around,
-    /// by their areas.
-    Rgb on_surface(const Vec3& point, const Vec3& normal) const;
-    /// Illuminance in lx, without direct light, of a point on no surface, by its own hemicube.
+    /// opposite is within 60 degrees. A corner has the mean of the elements around, by their areas.
+    /// nullopt without such an element, or if it is farther away than its longest side.
+    std::optional<Rgb> on_surface(const Vec3& point, const Vec3& normal) const;
+    /// Illuminance in lx, without direct light, of a point on no element, by its own hemicube.
     Rgb in_space(const Vec3& point, const Vec3& normal) const;
+    /// That of on_surface(), or else of in_space().
+    Rgb arriving(const Vec3& point, const Vec3& normal) const;
 
 private:
     RadiositySolution solution_;

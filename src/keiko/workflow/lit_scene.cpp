@@ -85,8 +85,10 @@ std::vector<Rgb> LitScene::direct(const Vec3& point, const Vec3& normal) const {
 
 Rgb LitScene::reflected(const Vec3& point, const Vec3& normal) const {
     if (!scene_.reflected) return {};
-    return place_of(point, normal).hit ? scene_.reflected->on_surface(point, normal)
-                                       : scene_.reflected->in_space(point, normal);
+    const auto hit = place_of(point, normal).hit;
+    const bool is_divided = hit && !scene_.seen_materials()[hit->face].glass;
+    return is_divided ? scene_.reflected->arriving(point, normal)
+                      : scene_.reflected->in_space(point, normal);
 }
 
 } // namespace keiko

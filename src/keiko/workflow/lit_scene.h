@@ -35,7 +35,8 @@ public:
     /// Direct illuminance in lx by each source, in the order of the rig, of a point with a unit
     /// normal, caustics included. A point within 1e-3 mm of a surface counts as on it.
     std::vector<Rgb> direct(const Vec3& point, const Vec3& normal) const;
-    /// Illuminance in lx of such a point by surfaces, from the scene's solution; 0 without one.
+    /// Illuminance in lx of such a point by surfaces, from the scene's solution; 0 without one. A
+    /// point of glass, which has no elements, sees them as one in the air does.
     Rgb reflected(const Vec3& point, const Vec3& normal) const;
 
 private:

@@ -176,14 +176,25 @@ RadiositySolution slope() {
 TEST(ReflectedLight, IsInterpolatedOnEachSide) {
     const ReflectedLight light(slope());
     const Vec3 up(0, 0, 1);
-    EXPECT_NEAR(light.on_surface({10, 0, 0}, up).g, 4, 1e-12);
-    EXPECT_NEAR(light.on_surface({0, 10, 0}, up).g, 2, 1e-12);
-    EXPECT_NEAR(light.on_surface({5, 5, 0.1}, up).g, 3, 1e-12);
-    EXPECT_NEAR(light.on_surface({10, 5, 0}, up).g, 3.5, 1e-12);
-    EXPECT_NEAR(light.on_surface({20, -5, 0}, up).g, 4, 1e-12);
-    EXPECT_NEAR(light.on_surface({3, 4, 0}, -up).g, 8, 1e-12);
+    EXPECT_NEAR(light.on_surface({10, 0, 0}, up)->g, 4, 1e-12);
+    EXPECT_NEAR(light.on_surface({0, 10, 0}, up)->g, 2, 1e-12);
+    EXPECT_NEAR(light.on_surface({5, 5, 0.1}, up)->g, 3, 1e-12);
+    EXPECT_NEAR(light.on_surface({10, 5, 0}, up)->g, 3.5, 1e-12);
+    EXPECT_NEAR(light.on_surface({20, -5, 0}, up)->g, 4, 1e-12);
+    EXPECT_NEAR(light.on_surface({3, 4, 0}, -up)->g, 8, 1e-12);
     EXPECT_EQ(light.on_surface({3, 4, 4}, up), Rgb(1, 2, 3));
-    EXPECT_EQ(light.on_surface({3, 4, 0}, {1, 0, 0}), Rgb());
+    EXPECT_EQ(light.on_surface({3, 4, 0}, {1, 0, 0}), std::nullopt);
+}
+
+TEST(ReflectedLight, OfAPlaceWithoutElementsIsThatInSpace) {
+    const ReflectedLight light(slope());
+    const Vec3 up(0, 0, 1); // longest side 14.1, of the top one 12.7
+    EXPECT_TRUE(light.on_surface({3, 4, 16}, up));
+    EXPECT_EQ(light.on_surface({3, 4, 19}, up), std::nullopt);
+    EXPECT_EQ(light.on_surface({3, 4, -15}, up), std::nullopt);
+    EXPECT_EQ(light.arriving({3, 4, 16}, up), Rgb(1, 2, 3));
+    EXPECT_EQ(light.arriving({3, 4, 19}, -up), light.in_space({3, 4, 19}, -up));
+    EXPECT_GT(light.arriving({3, 4, 19}, -up).g, 0.2);
 }
 
 TEST(ReflectedLight, InSpaceIsThatOfRadiositiesBySolidAngle) {

@@ -34,7 +34,7 @@ TEST(ReflectedLightPicture, HasLambertsLuminanceOfTheSolutionInThePlaceOfAmbient
         const int y = 27;
         const auto hit = stage.tracer.nearest(camera.ray(x + 0.5, y + 0.5));
         ASSERT_TRUE(hit);
-        const Rgb lx = light.on_surface(hit->position, Vec3(0, 0, 1));
+        const Rgb lx = light.on_surface(hit->position, Vec3(0, 0, 1)).value();
         const Rgb expected = stage.materials[0].diffuse * lx / std::numbers::pi;
         const float* shown = film.color.pixel(x, y);
         EXPECT_NEAR(shown[0], expected.r, 1e-4 * expected.r);

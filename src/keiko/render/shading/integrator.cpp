@@ -346,7 +346,7 @@ void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
 
 Rgb Integrator::ambient_illuminance(const ShadingPoint& point) const {
     const SurfacePlace& place = point.place;
-    return scene_.reflected ? scene_.reflected->on_surface(place.position, place.normal)
+    return scene_.reflected ? scene_.reflected->arriving(place.position, place.normal)
                             : scene_.rig.ambient;
 }
 
