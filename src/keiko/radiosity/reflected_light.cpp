@@ -93,7 +93,9 @@ std::optional<Rgb> ReflectedLight::on_surface(const Vec3& point, const Vec3& nor
 }
 
 Rgb ReflectedLight::in_space(const Vec3& point, const Vec3& normal) const {
-    const std::vector<double> factors = cube_.form_factors(mesh_, point, normal);
+    Job alone; // many points at once have a thread each
+    alone.threads = 1;
+    const std::vector<double> factors = cube_.form_factors(mesh_, point, normal, alone);
     Rgb sum;
     for (std::size_t i = 0; i < factors.size(); ++i) {
         const bool back = i >= solution_.light.size();

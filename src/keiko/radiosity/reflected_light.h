@@ -24,7 +24,8 @@ public:
     /// opposite is within 60 degrees. A corner has the mean of the elements around, by their areas.
     /// nullopt without such an element, or if it is farther away than its longest side.
     std::optional<Rgb> on_surface(const Vec3& point, const Vec3& normal) const;
-    /// Illuminance in lx, without direct light, of a point on no element, by its own hemicube.
+    /// Illuminance in lx, without direct light, of a point on no element, by its own hemicube, on
+    /// this thread. Throws Cancelled for a stop of its scope.
     Rgb in_space(const Vec3& point, const Vec3& normal) const;
     /// That of on_surface(), or else of in_space().
     Rgb arriving(const Vec3& point, const Vec3& normal) const;
