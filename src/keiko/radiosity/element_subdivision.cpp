@@ -135,6 +135,8 @@ void ElementSubdivision::split(std::uint32_t triangle, unsigned side, std::uint3
     replace(b, c, triangle, added);
     replace(middle, c, no_index, triangle);
     replace(middle, c, no_index, added);
+    if (!(std::min(elements_.area(triangle), elements_.area(added)) > 0))
+        throw FieldError("element", "leaves elements without area; take a larger one");
     changed.insert(changed.end(), {triangle, added});
 }
 

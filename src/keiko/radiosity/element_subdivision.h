@@ -32,7 +32,8 @@ public:
     /// The elements.
     const ElementMesh& elements() const { return elements_; }
     /// Cuts each triangle, and each that comes of it, as long as it is `wanted`. Returns the
-    /// numbers of those that changed or are new, rising. Throws FieldError beyond `most_triangles`.
+    /// numbers of those that changed or are new, rising. Throws FieldError beyond `most_triangles`,
+    /// and if a piece has no area.
     std::vector<std::uint32_t> cut(const std::function<bool(std::uint32_t triangle)>& wanted);
     /// The triangles with a common side, in a fixed order, each pair once.
     std::vector<std::array<std::uint32_t, 2>> neighbours() const;

@@ -100,7 +100,7 @@ double ProgressiveRefinement::remaining() const {
     for (const Reflector& reflector : reflectors_)
         most = std::max(most, max_channel(reflector.reflectance));
     const double unshot = max_channel(power(areas_, unshot_));
-    if (!(unshot > 0)) return 0;
+    if (unshot == 0) return 0;
     if (!(most < 1)) return std::numeric_limits<double>::infinity();
     return most / (1 - most) * unshot / max_channel(power(areas_, radiosity()));
 }

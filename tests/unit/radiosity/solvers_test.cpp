@@ -134,6 +134,15 @@ TEST(ProgressiveRefinement, EstimatesWhatHasNotArrivedByAmbientLight) {
     EXPECT_LT(light.ambient().g, 1e-5);
 }
 
+TEST(ProgressiveRefinement, DoesNotCallLightThatIsNoNumberFinished) {
+    const ExchangeAreas exchange = open_exchange(box_room(Vec3(1)));
+    const double none = std::numeric_limits<double>::quiet_NaN();
+    ProgressiveRefinement light = shooting(exchange, {6, {Rgb(0.5), Rgb(none)}});
+    EXPECT_EQ(light.refine(1e-6, 1000), 0);
+    EXPECT_FALSE(std::isfinite(light.remaining()));
+    EXPECT_EQ(shooting(exchange, {6, {Rgb(0.5), Rgb()}}).remaining(), 0);
+}
+
 TEST(ProgressiveRefinement, StopsWithWhatItHas) {
     const ExchangeAreas exchange = open_exchange(box_room(Vec3(1)));
     std::stop_source stop;
