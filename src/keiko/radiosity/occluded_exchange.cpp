@@ -51,13 +51,15 @@ public:
 
     /// Form factor of the hidden part from a point of the other.
     double operator()(const Vec3& point) const {
-        check_stop();
         const double whole = projected_solid_angle(corners_, point, normal_);
-        if (!(whole > 0)) return 0;
+        return whole > 0 ? whole * (1 - share_seen(point)) / std::numbers::pi : 0;
+    }
+    /// Share of the projected solid angle that a point of the other sees.
+    double share_seen(const Vec3& point) const {
+        check_stop();
         const Vec3 above = point + lift_;
         const PointVisibility visible(occluders_, above, normal_, light_.corners);
-        const double share = visible_share(light_, above, normal_, visible, options_);
-        return whole * (1 - share) / std::numbers::pi;
+        return visible_share(light_, above, normal_, visible, options_);
     }
 
 private:
@@ -76,10 +78,11 @@ ExchangeArea occluded_exchange_area(std::span<const Vec3> first, std::span<const
     if (!(whole > 0)) return {};
     const std::vector<Vec3> a = part_before(first, second[0], polygon_normal(second));
     const std::vector<Vec3> b = part_before(second, first[0], polygon_normal(first));
+    constexpr double one_half = 0.5;
     const double half = options.error / 2;
     const HiddenElement hidden(b, a, occluders, half);
     if (!occluders.may_occlude(queried(a), hidden.asked(), hidden.normal()))
-        return {hidden(middle_of(a)) > 0 ? 0 : whole, 0};
+        return {hidden.share_seen(middle_of(a)) < one_half ? 0 : whole, 0}; // it is 0 or 1
     const CubatureSum sum = integrate_adaptively_over(a, hidden, half * whole, options.most_parts);
     return {whole - sum.value, sum.error + half * whole};
 }

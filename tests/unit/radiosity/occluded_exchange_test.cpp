@@ -82,6 +82,26 @@ TEST(OccludedExchange, IsNothingBehindAWall) {
     EXPECT_EQ(found.error, 0);
 }
 
+// Beside a far wall, and behind it, at all obliquities: the exchange is that of the one ray.
+TEST(OccludedExchange, IsAllOrNothingOfObliqueElements) {
+    const Plates walls({parallelogram(Vec3(-50, -50, 1), Vec3(100, 0, 0), Vec3(0, 100, 0)),
+                        parallelogram(Vec3(-50, 90, -50), Vec3(100, 0, 0), Vec3(0, 0, 100))});
+    const auto a = parallelogram(Vec3(0), Vec3(1, 0, 0), Vec3(0, 1, 0));
+    for (const double slope : {1e-6, 1e-4, 1e-2, 0.1, 0.5}) {
+        const Vec3 place(3, 0, 0), up = Vec3(slope, 0, 1).normalized();
+        const auto b = parallelogram(place + up * 0.1, Vec3(0, 1, 0), up * 0.7);
+        const auto open = facing(b[0], b[1] - b[0], b[3] - b[0], Vec3(0));
+        const ExchangeArea found = occluded_exchange_area(a, open, walls.occluders);
+        const double whole = direct_exchange_area(a, open);
+        EXPECT_GT(whole, 0);
+        EXPECT_EQ(found.value, whole) << slope;
+        auto far = open;
+        for (Vec3& corner : far) corner.z += 1.5;
+        EXPECT_GT(direct_exchange_area(a, far), 0);
+        EXPECT_EQ(occluded_exchange_area(a, far, walls.occluders).value, 0) << slope;
+    }
+}
+
 // Walls that touch are themselves among the occluders, and do not hide each other.
 TEST(OccludedExchange, OfWallsOfARoomIsOpenAmongThemselves) {
     const auto room = test::box_room({2000, 3000, 1500});
