@@ -60,8 +60,7 @@ std::vector<double> ElementRows::row(std::size_t face) {
     return areas;
 }
 
-std::vector<Rgb> ElementRows::gathered(std::span<const Rgb> radiosity,
-                                       std::span<const std::size_t> faces) {
+void ElementRows::compute_missing(std::span<const std::size_t> faces) {
     std::vector<std::size_t> missing;
     for (const std::size_t face : faces)
         if (!rows_[face]) missing.push_back(face);
@@ -69,11 +68,27 @@ std::vector<Rgb> ElementRows::gathered(std::span<const Rgb> radiosity,
         job_.report("gathering", static_cast<double>(i) / static_cast<double>(missing.size()));
         compute(std::span(missing).subspan(i, std::min(at_once, missing.size() - i)));
     }
+}
+
+std::vector<Rgb> ElementRows::gathered(std::span<const Rgb> radiosity,
+                                       std::span<const std::size_t> faces) {
+    compute_missing(faces);
     std::vector<Rgb> light(rows_.size());
     for (const std::size_t face : faces)
         for (const Entry& entry : *rows_[face])
             light[face] += radiosity[entry.face] * static_cast<double>(entry.factor);
     return light;
+}
+
+Rgb ElementRows::escaped(std::span<const Rgb> radiosity, std::span<const std::size_t> faces) {
+    compute_missing(faces);
+    Rgb sum;
+    for (const std::size_t face : faces) {
+        double lacking = 1;
+        for (const Entry& entry : *rows_[face]) lacking -= static_cast<double>(entry.factor);
+        sum += radiosity[face] * (lacking * area(face));
+    }
+    return sum;
 }
 
 } // namespace keiko

@@ -28,6 +28,9 @@ public:
     /// Light that faces receive of these radiosities, lx, each by its own row: for equal
     /// radiosities the rounding of outlines to cells cancels. Throws Cancelled.
     std::vector<Rgb> gathered(std::span<const Rgb> radiosity, std::span<const std::size_t> faces);
+    /// Light of these radiosities that no element receives, lm/m2 times mm2: what the rows of
+    /// `faces` lack of 1. Throws Cancelled.
+    Rgb escaped(std::span<const Rgb> radiosity, std::span<const std::size_t> faces);
     /// Area of a face, mm2.
     double area(std::size_t face) const { return elements_.area(face % elements_.size()); }
     /// Number of rows computed so far.
@@ -42,6 +45,7 @@ private:
 
     std::vector<Entry> computed_row(std::size_t face) const;
     void compute(std::span<const std::size_t> faces);
+    void compute_missing(std::span<const std::size_t> faces);
 
     const ElementMesh& elements_;
     Hemicube cube_;

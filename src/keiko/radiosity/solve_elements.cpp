@@ -114,12 +114,13 @@ std::vector<std::size_t> brightest_first(const ElementMesh& elements,
     return order;
 }
 
-/// Faces that light has arrived at.
-std::vector<std::size_t> lit_faces(const ProgressiveRefinement& light) {
-    std::vector<std::size_t> lit;
-    for (std::size_t i = 0; i < light.arriving().size(); ++i)
-        if (light.arriving()[i] != Rgb()) lit.push_back(i);
-    return lit;
+/// Faces that have light, their own or what has arrived.
+std::vector<std::size_t> shining_faces(std::span<const Rgb> radiosity,
+                                       std::span<const Rgb> arriving) {
+    std::vector<std::size_t> faces;
+    for (std::size_t i = 0; i < arriving.size(); ++i)
+        if (radiosity[i] != Rgb() || arriving[i] != Rgb()) faces.push_back(i);
+    return faces;
 }
 
 /// Solution of elements by the light that arrives at their faces, fronts first.
@@ -162,15 +163,19 @@ RadiositySolution solve_elements(const ElementMesh& elements,
     for (std::size_t i = 0; i < reflectors.size(); ++i) areas.push_back(rows.area(i));
     ProgressiveRefinement light(areas, reflectors, [&](std::size_t i) { return rows.row(i); });
     std::vector<Rgb> arriving;
+    Rgb escaped;
     try {
         light.refine(spec.error, std::numeric_limits<int>::max(), job);
-        arriving = rows.gathered(light.radiosity(), lit_faces(light));
+        const std::vector<Rgb> radiosity = light.radiosity();
+        const auto faces = shining_faces(radiosity, light.arriving());
+        arriving = rows.gathered(radiosity, faces);
+        escaped = rows.escaped(radiosity, faces);
     } catch (const Cancelled&) {
-        arriving = light.arriving();
+        arriving = light.arriving(), escaped = light.escaped();
     }
     RadiositySolution solution = solution_of(elements, reflectors, arriving);
     solution.remaining = light.remaining();
-    solution.balance = energy_balance(areas, reflectors, arriving, light.escaped());
+    solution.balance = energy_balance(areas, reflectors, arriving, escaped);
     return solution;
 }
 

@@ -31,6 +31,8 @@ struct Solved {
         : elements(model, spec.deviation, std::vector<bool>(model.faces.size())),
           direct(light_elements(elements, spec, near, light)),
           solution(solve_elements(elements.elements(), direct, rho, spec)) {}
+
+    double emitted() const { return solution.balance.emitted.g; }
 };
 
 DirectLightOf uniform(double lx) {
@@ -53,6 +55,27 @@ TEST(SolveElements, HasTheClosedFormOfAUniformRoom) {
     EXPECT_LE(room.solution.remaining, spec.error);
     EXPECT_NEAR(balance.absorbed.r, balance.emitted.r, 1e-3 * balance.emitted.r);
     EXPECT_LT(std::abs(balance.escaped.r), 1e-4 * balance.emitted.r);
+}
+
+// Of a room without a wall, whose light is followed but half of the way, no more is missing.
+TEST(SolveElements, MissesNoMoreLightThanRemains) {
+    const Solved closed(room_model({2000, 3000, 1500}), {.error = 0.05},
+                        std::vector<Rgb>(6, Rgb(0.1)), uniform(100));
+    test::ModelBuilder builder;
+    for (const auto& c : test::box_room({2000, 3000, 1500}))
+        if (c[0].z == 0 || c[1].z == 0 || c[2].z == 0)
+            builder.plane(c[0], c[1] - c[0], c[3] - c[0]);
+    const Solved open(builder.build(), {.error = 0.05}, std::vector<Rgb>(5, Rgb(0.1)),
+                      uniform(100));
+    EXPECT_LT(std::abs(closed.solution.balance.escaped.g), 1e-6 * closed.emitted());
+    EXPECT_GT(open.solution.balance.escaped.g, 0.2 * open.emitted());
+    for (const Solved* room : {&closed, &open}) {
+        const EnergyBalance& balance = room->solution.balance;
+        const double light = balance.emitted.g + balance.absorbed.g * 0.1 / 0.9;
+        const double of_factors = 2e-3 * balance.emitted.g;
+        EXPECT_GT(room->solution.remaining, 0.01);
+        EXPECT_LE(std::abs(balance.missing().g), room->solution.remaining * light + of_factors);
+    }
 }
 
 TEST(SolveElements, IsAnIntegratingSphere) {
