@@ -130,6 +130,14 @@ error = 0.5
             self.assertIn(reason, run.stderr)
             self.assertEqual(run.stderr.count("\n"), 1)
 
+    def test_what_is_left_out_is_told(self):
+        mapped = SPHERE.replace("refractive_index = 1 }", 'refractive_index = 1, map = '
+                                '[{ drives = "diffuse", low = 0.5, texture = { kind = "checker", size = 100 } }] }')
+        run = self.keiko("radiosity", self.write("scene.toml", mapped), "-o", "a.solution", "-q")
+        self.assertEqual(run.returncode, 0)
+        self.assertIn("radiosity: leaves out maps of reflectances: a face has that of its material", run.stderr)
+        self.assertEqual(run.stderr.count("\n"), 1)
+
     def test_what_is_no_solution_is_refused(self):
         run = self.lit("--solution", self.write("b.solution", "keiko-rig/1\n"))
         self.assertEqual(run.returncode, 2)

@@ -37,6 +37,7 @@ int radiosity(const RadiosityArguments& arguments, const Job& job) {
     constexpr double opening = 1, solving = 4;
     JobSteps steps(job, opening + solving);
     const Scene scene = arguments.scene.open(steps.next_of_steps(opening));
+    log_remarks(radiosity_remarks(scene));
     const RadiositySolution solution = solve_radiosity(scene, steps.next_of_steps(solving));
     write_solution(arguments.output, solution);
     print_summary(solution, arguments.output);

@@ -8,6 +8,7 @@
 #include "keiko/files/model/model_serialization.h"
 #include "keiko/files/scene/rig_file.h"
 #include "keiko/files/toml/toml_text.h"
+#include "keiko/maps/scene_maps.h"
 #include "keiko/math/quadrature.h"
 #include "keiko/radiosity/reflected_light.h"
 #include "keiko/radiosity/solution_file.h"
@@ -15,6 +16,7 @@
 #include "keiko/render/shading/paint.h"
 #include "keiko/workflow/lit_scene.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace keiko {
@@ -47,6 +49,12 @@ void require_losses(const Scene& scene, std::span<const Rgb> reflectances) {
         throw Error(source_of(scene), "material " + which,
                     "reflects all light: radiosity needs less than 1");
     }
+}
+
+bool has_reflectance_map(const Material& material) {
+    return std::any_of(material.maps.begin(), material.maps.end(), [](const MaterialMap& map) {
+        return map.drives == MappedQuantity::diffuse;
+    });
 }
 
 std::vector<bool> glass_faces(const Scene& scene) {
@@ -145,6 +153,20 @@ RadiositySolution solve_radiosity(const Scene& scene, const Job& job) {
     solution.geometry = geometry_hash(scene);
     solution.lighting = lighting_hash(scene);
     return solution;
+}
+
+Diagnostics radiosity_remarks(const Scene& scene) {
+    Diagnostics remarks;
+    const auto warn = [&](const std::string& left_out) {
+        remarks.push_back({Severity::warning, "radiosity", "leaves out " + left_out});
+    };
+    const std::vector<Material>& materials = scene.seen_materials();
+    if (std::any_of(materials.begin(), materials.end(), has_reflectance_map))
+        warn("maps of reflectances: a face has that of its material all over");
+    if (scene.maps && scene.maps->environment() && scene.maps->environment()->spec().lights)
+        warn("the light of the environment");
+    if (scene.volumes) warn("volumes: they neither take nor scatter its light");
+    return remarks;
 }
 
 void write_solution(const std::filesystem::path& path, const RadiositySolution& solution) {
