@@ -182,7 +182,7 @@ private:
     std::optional<ContourLight> by_contour(const SurfaceModel& placed,
                                            const LampFaces& lamp) const {
         auto body = std::make_shared<const TracedLamp>(placed, job_);
-        if (!body->is_closed()) return std::nullopt;
+        if (!body->is_closed(job_)) return std::nullopt;
         return ContourLight{std::move(body), material_of(lamp).emits};
     }
     std::vector<PolygonLight> in_panels(const LampFaces& lamp) const {

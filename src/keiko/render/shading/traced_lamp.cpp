@@ -1,10 +1,12 @@
 #include "keiko/render/shading/traced_lamp.h"
 
 #include "keiko/geometry/model/outward_side.h"
+#include "keiko/geometry/seam/closed_borders.h"
 #include "keiko/intersect/traversal/tracer.h"
 #include "keiko/render/shading/occluded_visibility.h"
 
-#include <cmath>
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace keiko {
@@ -23,6 +25,41 @@ bool passes_closed_body(const SurfaceModel& model, const Ray& ray, const std::ve
         within = !within;
     }
     return !within;
+}
+
+/// Places of the faces: beside their borders and in the middles of their patches.
+std::vector<Vec3> places_of_faces(const SurfaceModel& model) {
+    constexpr double aside = 0.013; // of a border's length
+    std::vector<Vec3> places;
+    const BoundaryCurves curves(model);
+    for (const BoundaryInterval& border : curves.all()) {
+        const SurfaceCurve curve = curves.curve(border);
+        for (const double t : {0.29, 0.73})
+            if (const auto frame = curve.frame(t))
+                places.push_back(curve.at(t).position +
+                                 frame->inward * (aside * curve.length(0, 1)));
+    }
+    for (const Instance& instance : model.instances) {
+        const Part& part = model.parts[instance.part];
+        for (std::uint32_t f = part.first_face; f < part.first_face + part.face_count; ++f)
+            for (std::uint32_t k = 0; k < model.faces[f].patch_count; ++k) {
+                const auto patch = model.patch(model.faces[f].first_patch + k);
+                places.push_back(
+                    instance.transform.point(evaluate(patch, {0.47, 0.56}, 0).d[0][0]));
+            }
+    }
+    return places;
+}
+
+/// Rays across a model of a size through places of its faces, aslant to its axes.
+std::vector<Ray> rays_through_faces(const SurfaceModel& model, double size) {
+    const std::array ways{Vec3(0.267, 0.535, 0.802), Vec3(-0.713, 0.391, 0.582),
+                          Vec3(0.619, -0.754, 0.219)};
+    std::vector<Ray> rays;
+    for (const Vec3& place : places_of_faces(model))
+        for (const Vec3& way : ways)
+            rays.push_back({.origin = place - way * (2 * size), .direction = way});
+    return rays;
 }
 
 } // namespace
@@ -62,25 +99,20 @@ std::shared_ptr<const LuminousBody> TracedLamp::moved(const Affine& motion) cons
     return std::make_shared<const TracedLamp>(std::move(model));
 }
 
-bool TracedLamp::is_closed() const {
-    constexpr int side = 8;
-    constexpr double irregular = 0.618033988749895; // so that few rays meet an edge
-    const Box3& box = bounds();
-    const double length = box.size();
-    for (unsigned axis = 0; axis < 3; ++axis)
-        for (int i = 0; i < side; ++i)
-            for (int k = 0; k < side; ++k) {
-                const unsigned u = (axis + 1) % 3, v = (axis + 2) % 3;
-                const double turn = irregular * (side * i + k + 1);
-                Vec3 at = box.lower, to(0, 0, 0);
-                at[u] += box.extent()[u] * (i + 0.5) / side;
-                at[v] += box.extent()[v] * (k + turn - std::floor(turn)) / side;
-                at[axis] -= length;
-                to[axis] = 1;
-                const Ray ray{.origin = at, .direction = to};
-                if (!passes_closed_body(model_, ray, occluders_.tracer().all(ray))) return false;
-            }
-    return true;
+bool TracedLamp::is_closed(const Job& job) const {
+    if (!borders_close(model_, closing_join(model_), job)) return false;
+    const std::vector<Ray> rays = rays_through_faces(model_, bounds().size());
+    const std::vector<std::vector<Hit>> hits = occluders_.tracer().all(rays);
+    std::vector<bool> is_met(model_.faces.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        if (!passes_closed_body(model_, rays[i], hits[i])) return false;
+        for (const Hit& hit : hits[i]) is_met[hit.face] = true;
+    }
+    return std::all_of(model_.instances.begin(), model_.instances.end(), [&](const Instance& of) {
+        const Part& part = model_.parts[of.part];
+        const auto first = is_met.begin() + part.first_face;
+        return std::all_of(first, first + part.face_count, [](bool is) { return is; });
+    });
 }
 
 } // namespace keiko

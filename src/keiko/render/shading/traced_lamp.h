@@ -25,9 +25,10 @@ public:
     Vec3 in_front(const Vec3& point, const Vec3& normal) const override;
     std::shared_ptr<const LuminousBody> moved(const Affine& motion) const override;
 
-    /// True if the body is closed and its faces point outwards, as far as 192 rays through its box
-    /// find.
-    bool is_closed() const;
+    /// True if the borders of the body's faces close, and rays find that these point outwards. Rays
+    /// aslant to the axes pass several places of each face, and must go in and out by turns. A face
+    /// that none meets makes it false. Throws Cancelled.
+    bool is_closed(const Job& job = {}) const;
 
 private:
     SurfaceModel model_;

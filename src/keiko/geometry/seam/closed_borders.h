@@ -1,0 +1,20 @@
+#pragma once
+
+#include "keiko/base/export.h"
+#include "keiko/base/job.h"
+#include "keiko/geometry/seam/seam.h"
+
+#include <span>
+#include <vector>
+
+namespace KEIKO_API keiko {
+
+/// mm, within which borders of a model meet as those of a closed body: a ten thousandth of its
+/// size, at most 0.5 mm.
+double closing_join(const SurfaceModel& model);
+
+/// True if every border of a model's placed faces has one partner all along, up to 1 % of it. The
+/// seams are those of pair_seams; borders shorter than `join` mm are points and need no partner.
+bool borders_close(const SurfaceModel& model, double join, const Job& job = {});
+
+} // namespace keiko
