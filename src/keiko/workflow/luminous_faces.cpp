@@ -2,10 +2,12 @@
 
 #include "keiko/base/error.h"
 #include "keiko/compare/alignment/placed_model.h"
+#include "keiko/geometry/seam/closed_borders.h"
 #include "keiko/geometry/trim/material_bounds.h"
 #include "keiko/import/worker/mesh_in_worker.h"
 #include "keiko/maps/scene_maps.h"
 #include "keiko/math/bounds.h"
+#include "keiko/math/disjoint_sets.h"
 #include "keiko/render/shading/traced_lamp.h"
 #include "keiko/workflow/luminous_panels.h"
 
@@ -70,6 +72,21 @@ LampFaces joined(std::span<const LampFaces> lamps) {
     }
     std::sort(all.faces.begin(), all.faces.end());
     all.faces.erase(std::unique(all.faces.begin(), all.faces.end()), all.faces.end());
+    return all;
+}
+
+/// Lamps of one luminance, each of an instance of its own, by what touches.
+std::vector<std::vector<LampFaces>> touching(const SurfaceModel& body,
+                                             const std::vector<LampFaces>& lamps, const Job& job) {
+    const PlacedModel placed = placed_lamp(body, joined(lamps));
+    const auto sets = connected_faces(placed.model, closing_join(placed.model), job);
+    DisjointSets of_lamps(lamps.size());
+    for (std::size_t f = 0; f < sets.size(); ++f)
+        of_lamps.join(placed.origin[f].instance, placed.origin[sets[f]].instance);
+    std::map<std::size_t, std::vector<LampFaces>> groups;
+    for (std::size_t i = 0; i < lamps.size(); ++i) groups[of_lamps.root(i)].push_back(lamps[i]);
+    std::vector<std::vector<LampFaces>> all;
+    for (auto& [first, group] : groups) all.push_back(std::move(group));
     return all;
 }
 
@@ -143,14 +160,15 @@ public:
             else
                 open[{emits.r, emits.g, emits.b}].push_back(lamp);
         }
-        // Files may place each face of a body by itself.
-        for (const auto& [luminance, parts] : open) {
-            auto light = parts.size() > 1 ? as_body(joined(parts)) : std::nullopt;
-            if (light)
-                append(std::move(*light), lights);
-            else
-                for (const LampFaces& part : parts) append(in_panels(part), lights);
-        }
+        for (const auto& [luminance, parts] : open)
+            for (const std::vector<LampFaces>& group : touching(body_, parts, job_)) {
+                // Files may place each face of a body by itself.
+                auto light = group.size() > 1 ? as_body(joined(group)) : std::nullopt;
+                if (light)
+                    append(std::move(*light), lights);
+                else
+                    for (const LampFaces& part : group) append(in_panels(part), lights);
+            }
         return lights;
     }
 
@@ -165,6 +183,7 @@ private:
     /// The light of a closed body, or of a convex one in panels; nullopt for any other.
     std::optional<std::vector<LightSource>> as_body(const LampFaces& lamp) const {
         const PlacedModel placed = placed_lamp(body_, lamp);
+        if (!borders_close(placed.model, closing_join(placed.model), job_)) return std::nullopt;
         std::vector<LightSource> lights;
         if (is_flat(placed.model)) {
             std::vector<PolygonLight> panels = in_panels(placed, lamp);

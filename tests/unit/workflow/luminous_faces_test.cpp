@@ -10,6 +10,7 @@
 #include "tests/support/temporary_folder.h"
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 
 namespace keiko {
@@ -159,6 +160,44 @@ TEST(LuminousFaces, ClosedBodiesAreOneLight) {
     std::vector<Material> two(3, luminous(Rgb(7)));
     two[1].emits = Rgb(9); // of an end, so that neither part is closed
     EXPECT_GT(luminous_faces(primitive_model(can, "can"), two, {}, {}).size(), 8U);
+}
+
+/// Nothing meets them from many sides, and yet they close nothing.
+TEST(LuminousFaces, OpenPartsThatDoNotTouchStayPanels) {
+    const auto dome = [](double x) {
+        SurfaceModel egg = primitive_model(
+            EllipsoidShape{{x, 0, 500}, {90, 0, 0}, {0, 90, 0}, {0, 0, 60}}, "dome");
+        std::erase_if(egg.patches, [&](const Patch& patch) { return patch.map_u.begin >= 3; });
+        egg.faces[0].patch_count = static_cast<std::uint32_t>(egg.patches.size());
+        return egg;
+    };
+    const std::array apart{dome(0), dome(3000)};
+    const std::vector<LightSource> lights = lights_of_model(merge(apart), 2e-2);
+    EXPECT_GT(lights.size(), 8U);
+    for (const LightSource& light : lights)
+        EXPECT_TRUE(std::holds_alternative<PolygonLight>(light));
+}
+
+/// The faces of an L, each a part, close it, whatever else has their luminance.
+TEST(LuminousFaces, PartsThatTouchCloseABody) {
+    const std::vector<Vec2> outline{{0, 0}, {600, 0}, {600, 200}, {200, 200}, {200, 600}, {0, 600}};
+    std::vector<SurfaceModel> parts;
+    PolygonShape top, bottom;
+    for (std::size_t i = 0; i < 6; ++i) {
+        const Vec3 at(outline[i].x, outline[i].y, 0);
+        const Vec3 to(outline[(i + 1) % 6].x, outline[(i + 1) % 6].y, 0);
+        parts.push_back(primitive_model(PlaneShape{at, to - at, {0, 0, 150}}, "side"));
+        top.corners.push_back(at + Vec3(0, 0, 150));
+        bottom.corners.insert(bottom.corners.begin(), at);
+    }
+    parts.push_back(primitive_model(top, "top"));
+    parts.push_back(primitive_model(bottom, "bottom"));
+    EXPECT_EQ(lights_of_model(merge(parts)).size(), 1U);
+    parts.push_back(primitive_model(PlaneShape{{5000, 0, 0}, {90, 0, 0}, {0, 90, 0}}, "sheet"));
+    const std::vector<LightSource> lights = lights_of_model(merge(parts));
+    ASSERT_EQ(lights.size(), 2U);
+    EXPECT_TRUE(std::holds_alternative<ContourLight>(lights[0]));
+    EXPECT_TRUE(std::holds_alternative<PolygonLight>(lights[1]));
 }
 
 /// A flat round face is one panel of its own area, nearly.

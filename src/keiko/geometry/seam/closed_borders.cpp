@@ -1,5 +1,6 @@
 #include "keiko/geometry/seam/closed_borders.h"
 
+#include "keiko/math/disjoint_sets.h"
 #include "keiko/math/interval_set.h"
 
 #include <algorithm>
@@ -42,6 +43,14 @@ bool borders_close(const SurfaceModel& model, double join, const Job& job) {
     return std::all_of(all.begin(), all.end(), [&](const BoundaryInterval& border) {
         return cover_once(met[key_of(border)]) || curves.curve(border).length(0, 1) < join;
     });
+}
+
+std::vector<std::size_t> connected_faces(const SurfaceModel& model, double join, const Job& job) {
+    DisjointSets sets(model.faces.size());
+    for (const Seam& seam : pair_seams(model, join, job)) sets.join(seam.a.face, seam.b.face);
+    std::vector<std::size_t> numbers;
+    for (std::size_t f = 0; f < model.faces.size(); ++f) numbers.push_back(sets.root(f));
+    return numbers;
 }
 
 } // namespace keiko
