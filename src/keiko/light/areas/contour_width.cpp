@@ -175,36 +175,62 @@ ContourWidth::ContourWidth(const LuminousBody& body, const ContourView& view, co
     find_turns(error);
 }
 
-/// Finds the wedge angles at which the contour turns, as far as there is light between.
-void ContourWidth::find_turns(double error) {
+bool ContourWidth::is_dark(double begin, double end) const {
+    constexpr std::array places{0.02, 0.25, 0.5, 0.75, 0.98};
+    return std::all_of(places.begin(), places.end(), [&](double place) {
+        return chords_at(begin + (end - begin) * place).empty();
+    });
+}
+
+double ContourWidth::share_of_view() const {
+    constexpr int lines = 8;
+    double sum = 0;
+    for (int i = 0; i < lines; ++i) {
+        const double place = (i + 0.5) / lines;
+        for (const ParameterInterval& chord :
+             chords_at(view_.turn.begin + view_.turn.length() * place))
+            sum += chord.length();
+    }
+    return sum / lines / view_.extent.length();
+}
+
+std::vector<double> ContourWidth::turning_angles(double missed) const {
     const auto line = [&](double angle) {
         return Segment{view_.on_plane(view_.extent.begin, angle),
                        view_.on_plane(view_.extent.end, angle)};
     };
     const Segment first = line(view_.turn.begin), last = line(view_.turn.end);
     std::vector<double> angles{view_.turn.begin, view_.turn.end};
-    constexpr double in_numbers = 1e-4; // below which every turn counts
-    const TurnRule rule{.spacing = 0.5, .missed = error < in_numbers ? 0 : error};
+    const TurnRule rule{.spacing = 0.5, .missed = missed};
     for (const CriticalSlice& slice : outline_->turns({first, first, last, last}, rule))
-        if (const double at = wedge_angle(slice.way); at > angles[0] && at < angles[1])
+        if (const double at = wedge_angle(slice.way); at > view_.turn.begin && at < view_.turn.end)
             angles.push_back(at);
     std::sort(angles.begin(), angles.end());
     const auto near = [](double a, double b) { return b - a < one_turn; };
     angles.erase(std::unique(angles.begin(), angles.end(), near), angles.end());
-    const auto is_dark = [&](std::size_t i) {
-        constexpr std::array places{0.02, 0.25, 0.5, 0.75, 0.98};
-        return std::all_of(places.begin(), places.end(), [&](double place) {
-            const double angle = angles[i] + (angles[i + 1] - angles[i]) * place;
-            return chords(distance() * std::tan(angle)).empty();
-        });
-    };
+    return angles;
+}
+
+/// Finds the wedge angles at which the contour turns, as far as there is light between.
+void ContourWidth::find_turns(double error) {
+    // Below the first every turn counts, and in pictures where a body leaves most of its view dark.
+    constexpr double in_numbers = 1e-4, sparse = 0.1;
+    const double share = error < in_numbers ? 0 : share_of_view();
+    const bool all_count = share < sparse;
+    const std::vector<double> angles = turning_angles(all_count ? 0 : error * share);
     std::size_t begin = 0, end = angles.size() - 1;
-    while (begin < end && is_dark(begin)) ++begin;
-    while (begin < end && is_dark(end - 1)) --end;
+    while (begin < end && is_dark(angles[begin], angles[begin + 1])) ++begin;
+    while (begin < end && is_dark(angles[end - 1], angles[end])) --end;
     // In pictures some turns suffice: rules halve the width where others matter.
-    const double apart = error < in_numbers ? 0 : 0.08 * (angles[end] - angles[begin]);
-    for (std::size_t i = begin; begin < end && i < end; ++i)
-        if (turns_.empty() || angles[i] - turns_.back() >= apart) turns_.push_back(angles[i]);
+    const double apart = all_count ? 0 : 0.08 * (angles[end] - angles[begin]);
+    const auto changes_count = [&](std::size_t i) { // where a part of the body begins or ends
+        constexpr double beside = 1e-3;
+        const double at = angles[i], before = at - angles[i - 1], after = angles[i + 1] - at;
+        return chords_at(at - beside * before).size() != chords_at(at + beside * after).size();
+    };
+    for (std::size_t i = begin; i < end; ++i)
+        if (turns_.empty() || angles[i] - turns_.back() >= apart || changes_count(i))
+            turns_.push_back(angles[i]);
     if (begin < end) turns_.push_back(angles[end]);
 }
 

@@ -3,6 +3,7 @@
 #include "keiko/light/areas/area_width.h"
 #include "keiko/light/areas/contour_light.h"
 
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -42,7 +43,8 @@ struct ContourView {
 class ContourWidth final : public AreaWidth {
 public:
     /// Widths that together are all of the light; none if the body sends none to the element. They
-    /// are cut where the contour turns, as far as that matters by more than the relative `error`.
+    /// are cut where the contour turns, as far as that matters by more than the relative `error`,
+    /// and everywhere if the body fills less than a tenth of the view.
     static std::vector<ContourWidth> all(const ContourLight& light, const Vec3& point,
                                          const Vec3& normal, double error);
     /// One width of the light, of a near body without a thousandth of the half-space next to the
@@ -65,7 +67,17 @@ private:
     ContourWidth(const LuminousBody& body, const ContourView& view, const Vec3& normal,
                  double error);
     std::vector<ParameterInterval> chords(double v) const override;
+    std::vector<ParameterInterval> chords_at(double wedge_angle) const {
+        return chords(distance() * std::tan(wedge_angle));
+    }
     void find_turns(double error);
+    /// Wedge angles between the limits of the view where the contour turns, with these, rising.
+    /// `missed`: as in TurnRule.
+    std::vector<double> turning_angles(double missed) const;
+    /// True if none of a few lines between two wedge angles meets the body.
+    bool is_dark(double begin, double end) const;
+    /// Share of the view that the body fills, estimated from a few lines.
+    double share_of_view() const;
     /// Unit direction to a place on the plane.
     Vec3 way_to(double u, double v) const;
     /// Place of the body's front in a direction.
