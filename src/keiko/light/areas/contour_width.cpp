@@ -264,15 +264,18 @@ double ContourWidth::place_in(const Vec3& way) const {
 }
 
 std::vector<ParameterInterval> ContourWidth::chords(double v) const {
+    constexpr double rounding = 1e-13; // of the distance
+    constexpr std::size_t most_known = 64;
     for (const auto& [at, chords] : known_)
-        if (at == v) return chords;
+        if (std::abs(at - v) <= rounding * (distance() + std::abs(v))) return chords;
     const double from = extent().begin, length = extent().length();
     const double angle = std::atan2(v, distance());
     std::vector<ParameterInterval> chords;
     const Segment line{view_.on_plane(from, angle), view_.on_plane(extent().end, angle)};
     for (const ParameterInterval& part : outline_->intervals(line).complement())
         chords.push_back({from + part.begin * length, from + part.end * length});
-    known_.emplace_back(v, chords);
+    if (known_.size() < most_known) known_.emplace_back();
+    known_[oldest_++ % most_known] = {v, chords};
     return chords;
 }
 

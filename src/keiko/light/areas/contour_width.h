@@ -4,6 +4,7 @@
 #include "keiko/light/areas/contour_light.h"
 
 #include <cmath>
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -92,7 +93,9 @@ private:
     ContourView view_;
     std::unique_ptr<Visibility> outline_;
     std::vector<double> turns_; ///< wedge angles, rising; none without light
-    mutable std::vector<std::pair<double, std::vector<ParameterInterval>>> known_; ///< chords by v
+    mutable std::vector<std::pair<double, std::vector<ParameterInterval>>>
+        known_;                      ///< last chords by v
+    mutable std::size_t oldest_ = 0; ///< of these, modulo their number, to be replaced next
 };
 
 /// Projected solid angle in sr of the lines of a width above the horizon, to the relative `error`.
