@@ -32,6 +32,23 @@ PanelOutline shape_of(const PolygonLight& light) {
     return PanelOutline(light);
 }
 
+template <ShownLight Light>
+std::vector<Vec3> places_on(const Light& light) {
+    return {box_around(light).center()};
+}
+std::vector<Vec3> places_on(const PolygonLight& light) {
+    const std::vector<Vec3>& corners = light.corners;
+    const std::size_t count = corners.size();
+    Vec3 middle(0);
+    for (const Vec3& corner : corners) middle += corner / double(count);
+    const Vec3 normal = light.normal();
+    if (area_hit(PanelOutline(light), middle + normal, -normal, {})) return {middle};
+    std::vector<Vec3> places;
+    for (std::size_t i = 0; i < count; ++i)
+        places.push_back((corners[i] + corners[(i + 1) % count] + corners[(i + 2) % count]) / 3);
+    return places;
+}
+
 /// Difference of t below which two lights meet within a pixel: that of its footprint on a surface
 /// at 76 degrees to the ray.
 double meeting_range(const RayDifferentials& spread, const Vec3& direction, double t) {
@@ -64,7 +81,8 @@ RigAreas::RigAreas(const LightRig& rig) {
             [&](const auto& light) {
                 if constexpr (ShownLight<std::decay_t<decltype(light)>>)
                     if (is_shown(light))
-                        areas_.push_back({shape_of(light), light.luminance, box_around(light)});
+                        areas_.push_back({shape_of(light), light.luminance, box_around(light),
+                                          places_on(light)});
             },
             source);
 }
@@ -73,11 +91,11 @@ std::vector<RigAreas::Layer> RigAreas::along(const Vec3& origin, const Vec3& dir
                                              const std::optional<RayDifferentials>& spread,
                                              double t_max) const {
     std::vector<Layer> layers;
-    for (const Area& area : areas_) {
+    for (std::size_t i = 0; i < areas_.size(); ++i) {
         const auto hit = std::visit(
             [&](const auto& shape) { return area_hit(shape, origin, direction, spread); },
-            area.shape);
-        if (hit && hit->t * (1 - flush) < t_max) layers.push_back({*hit, area.luminance});
+            areas_[i].shape);
+        if (hit && hit->t * (1 - flush) < t_max) layers.push_back({*hit, areas_[i].luminance, i});
     }
     std::stable_sort(layers.begin(), layers.end(),
                      [](const Layer& a, const Layer& b) { return a.hit.t < b.hit.t; });
@@ -89,6 +107,12 @@ std::vector<Box3> RigAreas::boxes() const {
     std::vector<Box3> boxes;
     for (const Area& area : areas_) boxes.push_back(area.box);
     return boxes;
+}
+
+std::vector<std::vector<Vec3>> RigAreas::places() const {
+    std::vector<std::vector<Vec3>> places;
+    for (const Area& area : areas_) places.push_back(area.places);
+    return places;
 }
 
 } // namespace keiko

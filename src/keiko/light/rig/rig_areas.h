@@ -5,6 +5,7 @@
 #include "keiko/math/bounds.h"
 #include "keiko/math/ray_differentials.h"
 
+#include <cstddef>
 #include <optional>
 #include <variant>
 #include <vector>
@@ -19,7 +20,8 @@ public:
         /// Its distance, and the share, 0 to 1, that it fills of what nearer ones leave of the
         /// pixel. Lights that meet at an edge there fill their parts side by side.
         AreaHit hit;
-        Rgb luminance; ///< cd/m2
+        Rgb luminance;        ///< cd/m2
+        std::size_t area = 0; ///< the light, into boxes() and places()
     };
 
     /// A copy of all that is read of the rig is kept.
@@ -33,6 +35,9 @@ public:
                              const std::optional<RayDifferentials>& spread, double t_max) const;
     /// A box around each.
     std::vector<Box3> boxes() const;
+    /// Places of each: of a panel the middle of its corners, or, if it is beside the panel, the
+    /// middles of three corners in a row, some of them on it. Of another the middle of its box.
+    std::vector<std::vector<Vec3>> places() const;
 
 private:
     /// An area light, prepared for rays.
@@ -40,6 +45,7 @@ private:
         std::variant<PanelOutline, SphereLight, DiscLight, FrustumLight, EllipsoidLight> shape;
         Rgb luminance; ///< cd/m2
         Box3 box;
+        std::vector<Vec3> places; ///< as in places()
     };
     std::vector<Area> areas_;
 };

@@ -204,10 +204,12 @@ void Integrator::add_lights(PathState& path, const PathVertex& met, const Visibl
     const auto add_rows = [&] { add_light_at(rows.t, rows, path, ray, shafts, sample); };
     if (areas_.empty()) return add_rows();
     bool rows_added = false;
-    for (const auto& [hit, luminance] : areas_.along(ray.origin, ray.direction, ray.differentials,
+    for (const RigAreas::Layer& layer : areas_.along(ray.origin, ray.direction, ray.differentials,
                                                      met.hit ? met.hit->t : ray.t_max)) {
+        const AreaHit& hit = layer.hit;
         if (!rows_added && rows.t <= hit.t) add_rows(), rows_added = true;
-        add_light_at(hit.t, {luminance * hit.coverage, hit.coverage}, path, ray, shafts, sample);
+        add_light_at(hit.t, {layer.luminance * hit.coverage, hit.coverage}, path, ray, shafts,
+                     sample);
     }
     if (!rows_added) add_rows();
 }

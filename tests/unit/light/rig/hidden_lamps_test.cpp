@@ -37,6 +37,26 @@ TEST(HiddenLamps, LampsBesideEachOtherAreNot) {
     EXPECT_TRUE(remarks_of({}).empty());
 }
 
+/// Of a box above a globe only the face towards the body is hidden.
+TEST(HiddenLamps, NeighboursOfAHiddenLampAreNot) {
+    const BoxShape box{{-150, -150, 2500}, {300, 0, 0}, {0, 300, 0}, {0, 0, 300}};
+    const Diagnostics remarks = remarks_of({box, globe({0, 0, 1800}, 200)});
+    ASSERT_EQ(remarks.size(), 1U);
+    EXPECT_TRUE(remarks[0].message.starts_with("1 of 7 panels")) << remarks[0].message;
+}
+
+/// The middle of an L is not on it: a globe there hides nothing, one below a leg does.
+TEST(HiddenLamps, PanelsAreViewedWhereTheyAre) {
+    const PolygonShape angle{{{-900, -900, 3000},
+                              {-900, 900, 3000},
+                              {-700, 900, 3000},
+                              {-700, -700, 3000},
+                              {900, -700, 3000},
+                              {900, -900, 3000}}}; // shines down
+    EXPECT_TRUE(remarks_of({angle, globe({300, 300, 2900}, 90)}).empty());
+    EXPECT_EQ(remarks_of({angle, globe({-800, 300, 2600}, 200)}).size(), 1U);
+}
+
 /// From behind a panel with one face is neither light nor wall.
 TEST(HiddenLamps, DarkFacesHideNothing) {
     const PlaneShape upwards{{-200, -200, 2500}, {400, 0, 0}, {0, 400, 0}};
