@@ -150,17 +150,18 @@ public:
 
     std::vector<LightSource> of(const std::vector<LampFaces>& lamps) const {
         std::vector<LightSource> lights;
-        std::map<std::array<double, 3>, std::vector<LampFaces>> open; // by luminance
+        std::map<std::pair<std::array<double, 3>, bool>, std::vector<LampFaces>> open; // by light
         for (const LampFaces& lamp : lamps) {
-            const Rgb& emits = material_of(lamp).emits;
+            const Material& own = material_of(lamp);
             if (!lamp.is_uniform)
                 append(in_panels(lamp), lights);
             else if (auto light = as_body(lamp))
                 append(std::move(*light), lights);
             else
-                open[{emits.r, emits.g, emits.b}].push_back(lamp);
+                open[{{own.emits.r, own.emits.g, own.emits.b}, own.emits_both_ways}].push_back(
+                    lamp);
         }
-        for (const auto& [luminance, parts] : open)
+        for (const auto& [light_of_parts, parts] : open)
             for (const std::vector<LampFaces>& group : touching(body_, parts, job_)) {
                 // Files may place each face of a body by itself.
                 auto light = group.size() > 1 ? as_body(joined(group)) : std::nullopt;
