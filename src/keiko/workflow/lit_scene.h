@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/light/rig/prepared_rig.h"
 #include "keiko/render/caustics/caustics.h"
 #include "keiko/render/shading/glass_loss.h"
@@ -12,11 +13,6 @@
 #include <vector>
 
 namespace keiko {
-
-/// A face of a placed part, as hits name it.
-struct PlacedFace {
-    std::uint32_t instance = 0, face = 0; ///< into the model's arrays
-};
 
 /// The hit nearest to a point on the line through it along a normal, up to `reach` mm away: of one
 /// face `only`, or of any.
