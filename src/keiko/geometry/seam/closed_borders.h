@@ -1,13 +1,12 @@
 #pragma once
 
-#include "keiko/base/export.h"
 #include "keiko/base/job.h"
 #include "keiko/geometry/seam/seam.h"
 
 #include <cstddef>
 #include <vector>
 
-namespace KEIKO_API keiko {
+namespace keiko {
 
 /// mm, within which borders of a model meet as those of a closed body: a ten thousandth of its
 /// size, at most 0.5 mm.
