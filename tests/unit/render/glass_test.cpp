@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace keiko {
 namespace {
@@ -166,10 +165,10 @@ TEST(Glass, EachCameraRayStartsInItsOwnMedium) {
     glass_ball.rig.sources = {wide_panel(3000, Rgb(1000))};
     const PictureScene scene{glass_ball.tracer, glass_ball.materials, glass_ball.rig, Rgb(0)};
     const Integrator integrator(scene, whole_tree);
-    std::array<Ray, 2> rays;
-    rays[0].origin = Vec3(10, 0, -300), rays[0].direction = Vec3(0, 0, 1);
-    rays[1].origin = Vec3(0, 0, 0), rays[1].direction = Vec3(0.1, 0, 1);
-    for (int turn = 0; turn < 2; ++turn, std::swap(rays[0], rays[1])) {
+    Ray outside, inside;
+    outside.origin = Vec3(10, 0, -300), outside.direction = Vec3(0, 0, 1);
+    inside.origin = Vec3(0, 0, 0), inside.direction = Vec3(0.1, 0, 1);
+    for (const auto& rays : {std::array{outside, inside}, std::array{inside, outside}}) {
         const SampleBatch both = integrator.follow(rays);
         for (std::size_t i = 0; i < 2; ++i) {
             const Rgb alone = integrator.follow(std::span(&rays[i], 1)).samples[0].luminance;
