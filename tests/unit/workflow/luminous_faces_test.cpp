@@ -162,7 +162,7 @@ TEST(LuminousFaces, ClosedBodiesAreOneLight) {
     EXPECT_GT(luminous_faces(primitive_model(can, "can"), two, {}, {}).size(), 8U);
 }
 
-/// Nothing meets them from many sides, and yet they close nothing.
+/// No ray from many sides meets them, and yet they close nothing.
 TEST(LuminousFaces, OpenPartsThatDoNotTouchStayPanels) {
     const auto dome = [](double x) {
         SurfaceModel egg = primitive_model(

@@ -37,7 +37,7 @@ TEST(HiddenLamps, LampsBesideEachOtherAreNot) {
     EXPECT_TRUE(remarks_of({}).empty());
 }
 
-/// Of a box above a globe only the face towards the body is hidden.
+/// Only the face towards the body is hidden of a box above a globe.
 TEST(HiddenLamps, NeighboursOfAHiddenLampAreNot) {
     const BoxShape box{{-150, -150, 2500}, {300, 0, 0}, {0, 300, 0}, {0, 0, 300}};
     const Diagnostics remarks = remarks_of({box, globe({0, 0, 1800}, 200)});
