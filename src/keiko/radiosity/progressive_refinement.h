@@ -46,8 +46,8 @@ public:
     /// Radiosities with the reflected ambient estimate, lm/m2.
     std::vector<Rgb> with_ambient() const;
     /// Bound of the light that is missing in radiosity(), as a share of all that is in it: unshot
-    /// light times q / (1 - q), q the largest reflectance; infinite if that is 1, and no number if
-    /// light is none.
+    /// light times q / (1 - q), where q is the largest reflectance. It is infinite if q is 1, and
+    /// no number if light is none.
     double remaining() const;
 
 private:

@@ -27,7 +27,7 @@ public:
     /// Illuminance in lx, without direct light, of a point on no element, by its own hemicube, on
     /// this thread. Throws Cancelled for a stop of its scope.
     Rgb in_space(const Vec3& point, const Vec3& normal) const;
-    /// That of on_surface(), or else of in_space().
+    /// Illuminance in lx by on_surface(), or else by in_space().
     Rgb arriving(const Vec3& point, const Vec3& normal) const;
 
 private:
