@@ -685,5 +685,29 @@ class MeshTest(unittest.TestCase):
             keiko.mesh(dome, "deviation")
 
 
+class DrawingTest(unittest.TestCase):
+    block = ROOT / "surfaces/bored-block.step"
+
+    def test_it_is_what_the_command_line_writes(self):
+        drawing = keiko.draw(self.block, hidden="dash", sections=["z=10"], paper="A4")
+        self.assertIn("sections", drawing.layers)
+        with tempfile.TemporaryDirectory() as folder:
+            for ending, content in (("svg", drawing.svg().encode()), ("dxf", drawing.dxf()), ("pdf", drawing.pdf())):
+                path, written = Path(folder) / f"sheet.{ending}", Path(folder) / f"written.{ending}"
+                told("draw", self.block, "-o", path, "--hidden", "dash", "--section", "z=10", "--paper", "A4", "-q")
+                drawing.write(written)
+                self.assertEqual(content, path.read_bytes())
+                self.assertEqual(content, written.read_bytes())
+            with self.assertRaisesRegex(keiko.Error, "svg"):
+                drawing.write(Path(folder) / "sheet.png")
+
+    def test_wrong_arguments_are_refused(self):
+        for options, field in (({"hidden": "blur"}, "hidden"), ({"without": ["ink"]}, "without"),
+                               ({"paper": "B5"}, "paper"), ({"crease": 200}, "crease"), ({"iso_curves": -1}, "iso"),
+                               ({"join": 0}, "join"), ({"views": ["inside"]}, "inside")):
+            with self.assertRaisesRegex(keiko.Error, field):
+                keiko.draw(self.block, **options)
+
+
 if __name__ == "__main__":
     unittest.main()

@@ -92,6 +92,7 @@ PYBIND11_MODULE(_keiko, module) {
     keiko::python::add_rigs(module);
     keiko::python::add_curves(module);
     keiko::python::add_lines(module);
+    keiko::python::add_drawings(module);
     keiko::python::add_scenes(module);
     keiko::python::add_inspections(module);
     keiko::python::add_pictures(module);

@@ -151,6 +151,8 @@ void add_scenes(pybind11::module_& module);
 void add_inspections(pybind11::module_& module);
 /// The function find_lines.
 void add_lines(pybind11::module_& module);
+/// The class Drawing and the function draw_sheet.
+void add_drawings(pybind11::module_& module);
 /// The function comparison_files.
 void add_comparisons(pybind11::module_& module);
 /// The functions place_lamps, info_json, regress_json, accept_baselines

@@ -16,8 +16,8 @@ import numpy as _np
 from . import _pages
 from ._arguments import checked as _checked, error as _error, rows as _rows
 from ._documents import Check, Comparison, Document, Facts, Judged, Lines, Regression, Report, ScanComparison
-from ._keiko import (Curve, DeepBuffer, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
-                     accept_findings, analysis_png, check_json, comparison_files, deep_buffer, find_lines, hit_dtype,
+from ._keiko import (Curve, DeepBuffer, Drawing, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
+                     accept_findings, analysis_png, check_json, comparison_files, deep_buffer, draw_sheet, find_lines, hit_dtype,
                      illuminance_numbers, info_json, load_model, luminance_numbers, open_scene, place_lamps,
                      read_curves, regress_json, render_film, report_files, scan_deviations, scan_points, surface_mesh,
                      unpickled_model, version, write_curves)
@@ -25,9 +25,9 @@ from ._picture import Picture
 from ._rig import Rig
 
 __version__ = version()
-__all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Error", "Facts", "Film", "Lines", "Mesh", "Model",
+__all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Drawing", "Error", "Facts", "Film", "Lines", "Mesh", "Model",
            "Picture", "Placement", "Regression", "Report", "Rig", "ScanComparison", "Scene", "Spline", "accept",
-           "accept_baselines", "analysis_picture", "check", "compare", "compare_scan", "deep_view", "hit_dtype",
+           "accept_baselines", "analysis_picture", "check", "compare", "compare_scan", "deep_view", "draw", "hit_dtype",
            "illuminance", "info", "inspect", "lines", "load", "luminance", "mesh", "open_scene", "place",
            "read_curves", "read_scan", "regress", "render", "version", "write_curves"]
 
@@ -180,6 +180,24 @@ def lines(scene, rig=None, preset: str = "class-a-outer", *, views=(), look: str
     options = {"views": _words(views), "preset": str(preset), "look": look, "chord": chord, "join": join,
                "curves": curves, "contours": contours, **_scope(faces, layers, colors, zones)}
     return Lines(*find_lines(scene, rig, options, progress, threads))
+
+
+@_checked
+def draw(scene, *, views=(), perspective: bool = False, hidden: str = "remove", without=(), sections=(),
+         iso_curves: int = 0, rig=None, findings: bool = False, preset: str = "class-a-outer", crease: float = 1,
+         join: float = 0.5, paper: str = "A3", title: str = "", progress=None, threads: int = 0) -> Drawing:
+    """Draws outlines, edges and other curves of a body as vectors, as keiko draw does.
+
+    `views` are names, () for left, front and top. `hidden` lines are removed (remove), dashed (dash), or drawn like
+    all others (draw). `without` names layers that are left out. `sections` are planes like x=MM, `iso_curves` a number
+    for each face, `rig` lamps whose reflection lines are drawn. `findings` numbers what the body fails by `preset`.
+    A seam is a crease above `crease` degrees. `paper` is A4 to A0.
+    """
+    scene = _opened(scene, progress, threads)
+    options = {"views": _words(views), "perspective": perspective, "hidden": hidden, "without": _words(without),
+               "sections": _words(sections), "iso_curves": iso_curves, "findings": findings, "preset": str(preset),
+               "crease": crease, "join": join, "paper": paper, "title": title}
+    return draw_sheet(scene, rig, options, progress, threads)
 
 
 @_checked
