@@ -10,6 +10,7 @@
 #include "tests/bench/hidden_peers.h"
 #include "tests/bench/progress.h"
 #include "tests/bench/sphere_cluster.h"
+#include "tests/support/picture_interior.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,7 +83,7 @@ HiddenCost cost_of(const Algorithm& algorithm, const HiddenScene& scene) {
     cost.bytes = static_cast<double>(heap_peak([&] { seen = algorithm.run(scene); }));
     for (int round = 0; round < 3; ++round)
         cost.seconds = std::min(cost.seconds, process_seconds([&] { algorithm.run(scene); }));
-    if (seen) cost.wrong = wrong_pixels(scene.truth, *seen);
+    if (seen) cost.wrong = test::wrong_inside(scene.truth, *seen);
     return cost;
 }
 

@@ -7,10 +7,11 @@
 #include "tests/bench/progress.h"
 #include "tests/bench/sphere_cluster.h"
 #include "tests/support/hand_mesh.h"
+#include "tests/support/picture_interior.h"
+#include "tests/support/sphere_points.h"
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -43,14 +44,6 @@ SurfaceMesh over_floor(const SphereCluster& cluster, int cells) {
     return mesh;
 }
 
-/// True if all pixels around one are as it is.
-bool is_inside(const Image& image, int x, int y) {
-    for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i)
-            if (*image.pixel(x + i, y + j) != *image.pixel(x, y)) return false;
-    return true;
-}
-
 /// Pixels that differ, everywhere and off the edges of shadows.
 struct Differences {
     std::size_t all = 0, inside = 0;
@@ -59,7 +52,7 @@ struct Differences {
         for (int y = 1; y + 1 < side; ++y)
             for (int x = 1; x + 1 < side; ++x) {
                 if (*truth.pixel(x, y) == *other.pixel(x, y)) continue;
-                ++all, inside += is_inside(truth, x, y) ? 1 : 0;
+                ++all, inside += test::is_inside(truth, x, y) ? 1 : 0;
             }
     }
 };
@@ -77,17 +70,6 @@ std::size_t wrong_on_floor(const MeshView& view, const SphereCluster& cluster, c
             wrong += dark != (*lit.pixel(x, y) == 0) ? 1 : 0;
         }
     return wrong;
-}
-
-std::vector<EmittingPoint> points_of(const LightSphere& sphere, int count) {
-    std::vector<EmittingPoint> points;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1 - (2 * i + 1.0) / count, flat = std::sqrt(1 - z * z);
-        const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
-        const Vec3 normal(flat * std::cos(turn), flat * std::sin(turn), z);
-        points.push_back({sphere.center + normal * sphere.radius, normal, 1});
-    }
-    return points;
 }
 
 /// Root of the mean square of differences where a picture has penumbrae.
@@ -140,7 +122,7 @@ void add_area(const SphereCluster& cluster, int cells, bool brief, Table& table)
     for (const int count : {16, 64, 256}) {
         if (brief && count > 16) continue;
         add("sphere by " + std::to_string(count) + " points, rays", [&] {
-            return lit_pixels(view, casters, points_of(sphere, count), MeshShadows::ray,
+            return lit_pixels(view, casters, test::points_of(sphere, count), MeshShadows::ray,
                               one_thread);
         });
     }

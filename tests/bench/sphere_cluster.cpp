@@ -71,18 +71,6 @@ ItemBuffer SphereCluster::seen(const Camera& camera) const {
     return seen;
 }
 
-std::size_t wrong_pixels(const ItemBuffer& truth, const ItemBuffer& other) {
-    std::size_t wrong = 0;
-    for (int y = 1; y + 1 < truth.height; ++y)
-        for (int x = 1; x + 1 < truth.width; ++x) {
-            bool inside = true;
-            for (int j = -1; j <= 1; ++j)
-                for (int i = -1; i <= 1; ++i) inside &= truth.at(x + i, y + j) == truth.at(x, y);
-            wrong += inside && other.at(x, y) != truth.at(x, y) ? 1 : 0;
-        }
-    return wrong;
-}
-
 ItemBuffer faces_of(const SurfaceMesh& mesh, ItemBuffer triangles) {
     for (std::uint32_t& shown : triangles.shown)
         if (shown != no_index) shown = mesh.faces[shown] - 1;

@@ -42,8 +42,6 @@ private:
     std::vector<Sphere> spheres_;
 };
 
-/// Pixels off the edges of `truth` in which another picture shows something else.
-std::size_t wrong_pixels(const ItemBuffer& truth, const ItemBuffer& other);
 /// The faces of a buffer of triangles, less 1.
 ItemBuffer faces_of(const SurfaceMesh& mesh, ItemBuffer triangles);
 

@@ -3,6 +3,7 @@
 #include "keiko/raster/mesh_shadows.h"
 
 #include "tests/support/sphere_and_plate.h"
+#include "tests/support/sphere_points.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,19 +12,7 @@
 namespace keiko {
 namespace {
 
-using test::add_plate, test::camera_above, test::sphere_and_plate;
-
-/// Points that stand for equal parts of a sphere, along a spiral.
-std::vector<EmittingPoint> points_of(const LightSphere& sphere, int count) {
-    std::vector<EmittingPoint> points;
-    for (int i = 0; i < count; ++i) {
-        const double z = 1 - (2 * i + 1.0) / count, flat = std::sqrt(1 - z * z);
-        const double turn = i * std::numbers::pi * (3 - std::sqrt(5.0));
-        const Vec3 normal(flat * std::cos(turn), flat * std::sin(turn), z);
-        points.push_back({sphere.center + normal * sphere.radius, normal, 1});
-    }
-    return points;
-}
+using test::add_plate, test::camera_above, test::points_of, test::sphere_and_plate;
 
 TEST(LightCone, AgreesWithManyPointsOfTheSphere) {
     const SurfaceMesh mesh = sphere_and_plate(20);

@@ -3,6 +3,7 @@
 #include "keiko/raster/lit_pixels.h"
 #include "keiko/raster/smooth_shading.h"
 
+#include "tests/support/picture_interior.h"
 #include "tests/support/sphere_and_plate.h"
 #include <gtest/gtest.h>
 
@@ -14,7 +15,8 @@
 namespace keiko {
 namespace {
 
-using test::camera_above, test::floor_z, test::plate_z, test::sphere_and_plate;
+using test::camera_above, test::floor_z, test::is_inside, test::plate_z, test::sphere_and_plate,
+    test::wrong_inside;
 
 constexpr std::array every_algorithm{MeshShadows::ray, MeshShadows::scan_line, MeshShadows::map,
                                      MeshShadows::polygons, MeshShadows::volumes};
@@ -24,24 +26,6 @@ const std::vector<Viewpoint>& lights() {
                                             Viewpoint::at({-40, 20, -15}), // in the midst
                                             Viewpoint::towards({-0.5, 0.3, 1})};
     return all;
-}
-
-/// True if all pixels around one are as it is.
-bool is_inside(const Image& image, int x, int y) {
-    if (x < 1 || y < 1 || x + 1 >= image.width || y + 1 >= image.height) return false;
-    for (int j = -1; j <= 1; ++j)
-        for (int i = -1; i <= 1; ++i)
-            if (*image.pixel(x + i, y + j) != *image.pixel(x, y)) return false;
-    return true;
-}
-
-/// Pixels off the edges of shadows in which two pictures differ.
-int wrong_inside(const Image& truth, const Image& other) {
-    int wrong = 0;
-    for (int y = 0; y < truth.height; ++y)
-        for (int x = 0; x < truth.width; ++x)
-            wrong += is_inside(truth, x, y) && *other.pixel(x, y) != *truth.pixel(x, y) ? 1 : 0;
-    return wrong;
 }
 
 /// The others are exact; a map seen at a flat angle errs by several pixels of the view.

@@ -4,6 +4,7 @@
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/hand_mesh.h"
+#include "tests/support/picture_interior.h"
 #include "tests/support/shapes.h"
 #include <gtest/gtest.h>
 
@@ -23,19 +24,6 @@ ItemBuffer traced_faces(const SurfaceModel& model, const Camera& camera) {
     return seen;
 }
 
-/// Pixels off the edges of `truth` that show something else in `other`.
-int wrong_inside(const ItemBuffer& truth, const ItemBuffer& other) {
-    int wrong = 0;
-    for (int y = 1; y + 1 < truth.height; ++y)
-        for (int x = 1; x + 1 < truth.width; ++x) {
-            bool inside = true;
-            for (int j = -1; j <= 1; ++j)
-                for (int i = -1; i <= 1; ++i) inside &= truth.at(x + i, y + j) == truth.at(x, y);
-            wrong += inside && other.at(x, y) != truth.at(x, y) ? 1 : 0;
-        }
-    return wrong;
-}
-
 int shown_faces(const ItemBuffer& buffer) {
     return static_cast<int>(std::count_if(buffer.shown.begin(), buffer.shown.end(),
                                           [](std::uint32_t face) { return face != no_index; }));
@@ -52,7 +40,7 @@ TEST(PatchSubdivision, ShowsTheFacesOfTheTracerButAtEdges) {
         camera.eye = Vec3(40, 30, 200);
         const ItemBuffer truth = traced_faces(shape.model(), camera);
         const ItemBuffer seen = subdivided_faces(shape.model(), camera);
-        EXPECT_EQ(wrong_inside(truth, seen), 0);
+        EXPECT_EQ(test::wrong_inside(truth, seen), 0);
         EXPECT_NEAR(shown_faces(seen), shown_faces(truth), 0.08 * shown_faces(truth));
         for (const std::uint32_t face : {0U, 1U})
             EXPECT_GT(std::count(seen.shown.begin(), seen.shown.end(), face), 100) << face;
@@ -63,9 +51,9 @@ TEST(PatchSubdivision, ShowsWhatReachesBehindTheEye) {
     test::ShapeBuilder shape;
     shape.face({test::rectangle(-500, 500, -500, 500, -10)});
     const Camera camera = test::camera_on_x(100, 64, 64);
-    EXPECT_EQ(
-        wrong_inside(traced_faces(shape.model(), camera), subdivided_faces(shape.model(), camera)),
-        0);
+    EXPECT_EQ(test::wrong_inside(traced_faces(shape.model(), camera),
+                                 subdivided_faces(shape.model(), camera)),
+              0);
 }
 
 TEST(PatchSubdivision, HasTheSameFacesForAnyNumberOfThreads) {

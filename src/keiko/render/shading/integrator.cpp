@@ -236,8 +236,9 @@ void Integrator::add_light_at(double t, const MirroredLight& light, PathState& p
 void Integrator::pass_volumes(PathState& path, const PathVertex& met, PixelSample& sample) const {
     if (!volumes_) return;
     const Vec3& eye = met.ray.origin;
-    const double reach = scene_.volumes->reach_from(eye);
-    const Vec3 end = met.hit ? met.hit->position : eye + met.ray.direction.normalized() * reach;
+    const Vec3 end = met.hit
+                         ? met.hit->position
+                         : eye + met.ray.direction.normalized() * scene_.volumes->reach_from(eye);
     const FrontToBack before = volumes_->along({eye, end});
     sample.luminance += path.weight * before.light;
     path.weight *= 1 - before.opacity;
