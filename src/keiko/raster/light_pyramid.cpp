@@ -2,6 +2,9 @@
 
 #include "keiko/math/convex_clip.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace keiko {
 namespace {
 
@@ -36,7 +39,12 @@ void LightPyramid::add_line(std::span<const Vec3> receiver, const Viewpoint& lig
 void LightPyramid::add_triangle(std::span<const Vec3> receiver, const Viewpoint& light,
                                 double rounding) {
     const Vec3 normal = (receiver[1] - receiver[0]).cross(receiver[2] - receiver[0]).normalized();
-    add(normal.dot(light.way_to(receiver[0])) < 0 ? normal : -normal, receiver[0], -rounding);
+    // Along the light: at a flat angle, what stands so high on the receiver has a long shadow.
+    double height = rounding;
+    for (const Vec3& corner : receiver)
+        height =
+            std::min(height, rounding * std::abs(normal.dot(light.way_to(corner).normalized())));
+    add(normal.dot(light.way_to(receiver[0])) < 0 ? normal : -normal, receiver[0], -height);
     for (std::size_t i = 0; i < 3; ++i) {
         const Vec3 &from = receiver[(i + 1) % 3], &to = receiver[(i + 2) % 3];
         add_side(light.way_to(from).cross(to - from), from, receiver[i]);

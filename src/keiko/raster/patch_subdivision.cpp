@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 #include "keiko/geometry/bezier/subpatch.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/raster/picture_map.h"
 #include "keiko/raster/triangle_scan.h"
 
 #include <algorithm>
@@ -22,18 +23,13 @@ constexpr double smallest = 1e-4;
 /// projection of a rational patch is a rational patch.
 std::vector<Vec4> picture_points(const BezierPatchView& patch, const Affine& placed,
                                  const Camera& camera) {
-    const CameraAxes axes = camera.axes();
+    const PictureMap picture(camera);
     const bool perspective = camera.projection == Projection::perspective;
-    const Vec2 middle = Vec2(camera.width / 2.0, camera.height / 2.0) + camera.shift;
     std::vector<Vec4> points;
     for (const Vec4& p : patch.points) {
         const Vec3 place = placed.vector(Vec3(p.x, p.y, p.z)) + placed.translation * p.w;
-        const Vec3 offset = (place - camera.eye * p.w) / camera.pixel_size();
-        const double depth = (place - camera.eye * p.w).dot(axes.forward);
-        const double weight = perspective ? depth : p.w;
-        points.emplace_back(middle.x * weight + offset.dot(axes.right),
-                            middle.y * weight - offset.dot(axes.up), perspective ? p.w : -depth,
-                            weight);
+        const Vec3 at = picture.at(place, p.w);
+        points.emplace_back(at.x, at.y, perspective ? p.w : -picture.depth(place, p.w), at.z);
     }
     return points;
 }

@@ -3,7 +3,7 @@
 #include "keiko/math/interval_set.h"
 #include "keiko/raster/light_pyramid.h"
 #include "keiko/raster/lit_pixels.h"
-#include "keiko/raster/smooth_shading.h"
+#include "keiko/raster/row_section.h"
 
 #include <algorithm>
 #include <array>
@@ -17,12 +17,6 @@ struct Span {
     std::uint32_t triangle;
     int y, first, last;
 };
-
-/// Place on the plane of a triangle that shows at a place of the picture.
-Vec3 met_by(const MeshView& view, std::uint32_t triangle, double x, double y) {
-    const auto corners = view.corners(triangle);
-    return mixed(ray_weights(corners, view.camera().ray(x, y)), corners);
-}
 
 /// The parts of a span that triangles shade, from its left end, 0, to its right one, 1.
 IntervalSet shaded_parts(const LightPyramid& pyramid, const ShadowCasters& casters,
@@ -41,26 +35,41 @@ IntervalSet shaded_parts(const LightPyramid& pyramid, const ShadowCasters& caste
     return IntervalSet(std::move(parts));
 }
 
-void light_span(const MeshView& view, const ShadowCasters& casters, const Viewpoint& light,
-                const Span& span, Image& lit) {
-    const double y = span.y + 0.5;
-    const std::array<Vec3, 2> ends{met_by(view, span.triangle, span.first, y),
-                                   met_by(view, span.triangle, span.last + 1, y)};
-    const LightPyramid pyramid(ends, light, casters.rounding());
-    if (!pyramid.lights()) return;
-    const IntervalSet shaded = shaded_parts(pyramid, casters, light, span.triangle);
-    const Vec3 along = ends[1] - ends[0];
-    for (int x = span.first; x <= span.last; ++x) {
-        const Vec3 way = met_by(view, span.triangle, x + 0.5, y) - ends[0];
-        *lit.pixel(x, span.y) = shaded.contains(way.dot(along) / along.length2()) ? 0.0F : 1.0F;
+/// Lights the rows of a picture.
+class SpanLighting {
+public:
+    SpanLighting(const MeshView& view, const ShadowCasters& casters, const Viewpoint& light)
+        : view_(view), casters_(casters), light_(light), picture_(view.camera()) {}
+
+    void put(const Span& span, Image& lit) const {
+        const RowSection section(view_.corners(span.triangle), picture_, span.y + 0.5);
+        const double begin = section.share_at(span.first), end = section.share_at(span.last + 1);
+        const std::array<Vec3, 2> ends{section.place(begin), section.place(end)};
+        const LightPyramid pyramid(ends, light_, casters_.rounding());
+        const bool is_line = (ends[1] - ends[0]).length() > casters_.rounding() && pyramid.lights();
+        const IntervalSet shaded =
+            is_line ? shaded_parts(pyramid, casters_, light_, span.triangle) : IntervalSet();
+        for (int x = span.first; x <= span.last; ++x) {
+            const double share = section.share_at(x + 0.5);
+            const bool dark = is_line ? shaded.contains((share - begin) / (end - begin))
+                                      : casters_.hide(section.place(share), light_, span.triangle);
+            *lit.pixel(x, span.y) = dark ? 0.0F : 1.0F;
+        }
     }
-}
+
+private:
+    const MeshView& view_;
+    const ShadowCasters& casters_;
+    const Viewpoint& light_;
+    PictureMap picture_;
+};
 
 } // namespace
 
 Image lit_by_spans(const MeshView& view, const ShadowCasters& casters, const Viewpoint& light,
                    const Job& job) {
     const ItemBuffer& items = view.items();
+    const SpanLighting lighting(view, casters, light);
     Image lit(items.width, items.height, 1);
     parallel_for(static_cast<std::size_t>(items.height), job, "shadows", [&](std::size_t row) {
         const int y = static_cast<int>(row);
@@ -68,7 +77,7 @@ Image lit_by_spans(const MeshView& view, const ShadowCasters& casters, const Vie
             Span span{items.at(x, y), y, x, x};
             while (++x < items.width && items.at(x, y) == span.triangle) span.last = x;
             if (span.triangle != no_index && faces_light(view, span.triangle, light))
-                light_span(view, casters, light, span, lit);
+                lighting.put(span, lit);
         }
     });
     return lit;

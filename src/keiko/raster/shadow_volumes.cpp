@@ -1,6 +1,5 @@
 #include "keiko/raster/shadow_volumes.h"
 
-#include "keiko/raster/depth_tile.h"
 #include "keiko/raster/lit_pixels.h"
 #include "keiko/raster/tile_items.h"
 
@@ -73,27 +72,53 @@ std::vector<ContourEdge> contour_edges(const ShadowCasters& casters, const Viewp
 
 /// The sides of the shadowed space.
 struct ShadowSides {
-    SurfaceMesh mesh;        ///< two triangles a side
-    std::vector<int> layers; ///< a triangle: entered by rays that see it clockwise
+    /// The plane of a light and an edge, not unit.
+    struct Plane {
+        Vec3 normal, edge;
+
+        bool is_above(const Vec3& place) const { return normal.dot(place - edge) > 0; }
+    };
+
+    SurfaceMesh mesh;          ///< two triangles for each part of a side
+    std::vector<int> layers;   ///< a triangle: entered by rays that see it clockwise
+    std::vector<Plane> planes; ///< a triangle: that of its edge
 };
+
+/// Adds the side behind the part of an edge from `a` to `b`. It is divided until the far ends of
+/// its quadrangles are about as far away as their corners: a light beside a long edge sees that
+/// under nearly 180 degrees.
+void add_side(const Vec3& a, const Vec3& b, int layers, const Viewpoint& light, double length,
+              const ShadowSides::Plane& plane, ShadowSides& sides) {
+    constexpr double widest = 0.5; // cosine of 60 degrees
+    const Vec3 to_a = light.way_to(a), to_b = light.way_to(b);
+    const double near = to_a.length(), far = to_b.length();
+    if (to_a.dot(to_b) < widest * near * far) {
+        // Half of the angle is on either side of this place.
+        const Vec3 middle = (a * far + b * near) / (near + far);
+        add_side(a, middle, layers, light, length, plane, sides);
+        return add_side(middle, b, layers, light, length, plane, sides);
+    }
+    const auto first = static_cast<std::uint32_t>(sides.mesh.positions.size());
+    for (const Vec3& corner : {a, b, b + to_b / far * length, a + to_a / near * length})
+        sides.mesh.positions.push_back(corner);
+    sides.mesh.triangles.push_back({first, first + 1, first + 2});
+    sides.mesh.triangles.push_back({first, first + 2, first + 3});
+    sides.layers.insert(sides.layers.end(), 2, layers);
+    sides.planes.insert(sides.planes.end(), 2, plane);
+}
 
 ShadowSides shadow_sides(const ShadowCasters& casters, const Viewpoint& light, double length) {
     ShadowSides sides;
+    const std::vector<Vec3>& places = casters.mesh().positions;
     for (const ContourEdge& edge : contour_edges(casters, light)) {
-        const Vec3 &a = casters.mesh().positions[edge.from], &b = casters.mesh().positions[edge.to];
-        const auto first = static_cast<std::uint32_t>(sides.mesh.positions.size());
-        for (const Vec3& corner : {a, b, b + light.way_to(b).normalized() * length,
-                                   a + light.way_to(a).normalized() * length})
-            sides.mesh.positions.push_back(corner);
-        sides.mesh.triangles.push_back({first, first + 1, first + 2});
-        sides.mesh.triangles.push_back({first, first + 2, first + 3});
-        sides.layers.insert(sides.layers.end(), 2, edge.layers);
+        const Vec3 &a = places[edge.from], &b = places[edge.to];
+        add_side(a, b, edge.layers, light, length, {light.way_to(a).cross(b - a), a}, sides);
     }
     return sides;
 }
 
-/// mm that sides must be long to end where no line of sight comes. Ends of a side are on the far
-/// side of the ball around all that is seen by 20 times its radius, as it may be wide.
+/// mm that sides must be long to end where no line of sight comes. Their ends are chords of up to
+/// 60 degrees around the light, and so 0.86 times as far away.
 double length_of_sides(const MeshView& view) {
     Box3 all;
     for (const Vec3& position : view.mesh().positions) all.extend(position);
@@ -121,15 +146,39 @@ private:
     int of_eye_ = 0;
 };
 
-/// Layers that the sides before each place of a tile add.
-void add_sides(const TileItems& standing, const ShadowSides& sides, std::size_t tile,
-               const DepthTile& depths, Image& layers) {
-    standing.each_item(tile, [&](const ScreenItem& item) {
+/// A line of sight, from the eye to the place that a pixel shows.
+struct Sight {
+    Vec3 begin{0}, end{0}; ///< both the same where a pixel shows nothing
+};
+
+/// Lines of sight of the pixels of a tile, row by row.
+std::vector<Sight> sights_of(const MeshView& view, const PixelBox& tile) {
+    std::vector<Sight> sights;
+    for (int y = tile.first_y; y <= tile.last_y; ++y)
+        for (int x = tile.first_x; x <= tile.last_x; ++x) {
+            sights.emplace_back();
+            if (const auto place = view.at(x, y))
+                sights.back() = {view.camera().ray(x + 0.5, y + 0.5).origin, place->position};
+        }
+    return sights;
+}
+
+/// Layers that the sides before each place of a tile add. The depths of rounded sides would not
+/// do: beside a facet at a flat angle to the light, a little depth is many pixels.
+void add_sides(const TileItems& standing, const ShadowSides& sides, std::size_t number,
+               const PixelBox& tile, const MeshView& view, Image& layers) {
+    const std::vector<Sight> sights = sights_of(view, tile);
+    const int width = tile.last_x - tile.first_x + 1;
+    standing.each_item(number, [&](const ScreenItem& item) {
         const bool clockwise = doubled_area(item.at[0], item.at[1], item.at[2]) > 0;
         const int own = sides.layers[item.triangle];
         const auto entered = static_cast<float>(clockwise ? own : -own);
-        scan_triangle(item.at, depths.window(), [&](int x, int y, double nearness) {
-            if (nearness > depths.nearness(x, y)) *layers.pixel(x, y) += entered;
+        const ShadowSides::Plane& plane = sides.planes[item.triangle];
+        scan_triangle(item.at, tile, [&](int x, int y, double) {
+            const Sight& sight =
+                sights[static_cast<std::size_t>((y - tile.first_y) * width + x - tile.first_x)];
+            if (plane.is_above(sight.begin) != plane.is_above(sight.end))
+                *layers.pixel(x, y) += entered;
         });
     });
 }
@@ -138,13 +187,10 @@ void add_sides(const TileItems& standing, const ShadowSides& sides, std::size_t 
 Image added_layers(const MeshView& view, const ShadowSides& sides, const Job& job) {
     const Camera& camera = view.camera();
     const TileGrid grid{camera.width, camera.height};
-    const TileItems seen(screen_items(view.mesh(), camera, job), grid, job);
     const TileItems standing(screen_items(sides.mesh, camera, job), grid, job);
     Image layers(camera.width, camera.height, 1);
     parallel_for(grid.count(), job, "shadows", [&](std::size_t tile) {
-        DepthTile depths(grid.tile(tile));
-        seen.each_item(tile, [&](const ScreenItem& item) { depths.add(item.at, [](int, int) {}); });
-        add_sides(standing, sides, tile, depths, layers);
+        add_sides(standing, sides, tile, grid.tile(tile), view, layers);
     });
     return layers;
 }

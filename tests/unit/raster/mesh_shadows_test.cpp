@@ -1,8 +1,8 @@
 #include "keiko/raster/mesh_shadows.h"
 
 #include "keiko/raster/lit_pixels.h"
-#include "keiko/raster/smooth_shading.h"
 
+#include "tests/support/mesh_light.h"
 #include "tests/support/picture_interior.h"
 #include "tests/support/sphere_and_plate.h"
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace keiko {
 namespace {
 
 using test::camera_above, test::floor_z, test::is_inside, test::plate_z, test::sphere_and_plate,
-    test::wrong_inside;
+    test::wrong_beyond_rounding, test::wrong_inside;
 
 constexpr std::array every_algorithm{MeshShadows::ray, MeshShadows::scan_line, MeshShadows::map,
                                      MeshShadows::polygons, MeshShadows::volumes};
@@ -56,32 +56,6 @@ TEST(MeshShadows, AllAlgorithmsAgreeButAtEdges) {
             }
         }
     }
-}
-
-/// Pixels off edges of triangles whose light no ray has that starts within a subpixel of the
-/// centre.
-int wrong_beyond_rounding(const MeshView& view, const ShadowCasters& casters,
-                          const Viewpoint& light, const Image& lit) {
-    constexpr double subpixel = 1.0 / 256;
-    int wrong = 0;
-    const auto is_lit = [&](std::uint32_t triangle, double x, double y) {
-        const auto corners = view.corners(triangle);
-        const Vec3 place = mixed(ray_weights(corners, view.camera().ray(x, y)), corners);
-        return faces_light(view, triangle, light) && !casters.hide(place, light, triangle);
-    };
-    for (int y = 0; y < lit.height; ++y)
-        for (int x = 0; x < lit.width; ++x) {
-            const auto place = view.at(x, y);
-            const Vec3 w = place ? place->weights : Vec3(0);
-            if (!(std::min({w.x, w.y, w.z}) > 0.01)) continue;
-            bool right = false;
-            for (const double dx : {0.0, -subpixel, subpixel})
-                for (const double dy : {0.0, -subpixel, subpixel})
-                    right |= is_lit(place->triangle, x + 0.5 + dx, y + 0.5 + dy) ==
-                             (*lit.pixel(x, y) > 0);
-            wrong += right ? 0 : 1;
-        }
-    return wrong;
 }
 
 TEST(MeshShadows, AgreeOnTrianglesThatPierceEachOther) {
