@@ -82,6 +82,19 @@ class MeshError(MeshTest):
         self.assertIsNone(report["views"][0]["close_up"])
         self.assertIn("no pixel mirrors the lamps", (self.folder / "out" / "mesh-error.html").read_text())
 
+    def test_proved_meshes_of_spans_take_fine_deviations(self):
+        report = self.report("--mesh", "0.1,0.01,0.001", "--mesher", "spans")
+        self.assertEqual((report["deviations"], self.report("--mesh", "1")["deviations"]), ("proved", "measured"))
+        for mesh in report["meshes"]:
+            self.assertLessEqual(mesh["deviation"], mesh["asked"])
+        sizes = [mesh["errors"]["displacement"]["pixels"]["p99"] for mesh in report["views"][0]["meshes"]]
+        self.assertGreater(sizes[0], 2 * sizes[1])
+        self.assertGreater(sizes[1], 2 * sizes[2])
+
+    def test_refuses_meshes_beyond_memory_in_one_line(self):
+        self.refuse("mesh-error", surface("concept-car.step"), "--mesher", "spans", "--mesh", "0.00001", "-q",
+                    "-o", "out", mentioning="its mesh within 1e-05 mm has more than 50000000 cells or triangles")
+
     def test_refuses_a_deviation_that_is_none(self):
         for mesh in ("0", "-1", "nan", "1,1"):
             self.refuse("mesh-error", DENT, "--mesh", mesh, "-o", "out", mentioning="--mesh")
@@ -101,6 +114,17 @@ class MeshLook(MeshTest):
         pictures = [self.picture("--look", look) for look in looks]
         self.assertEqual(len(set(pictures)), len(looks))
         self.assertNotEqual(pictures[3], self.picture("--look", "mesh:phong", "--mesh", "2"))
+
+    def test_facets_of_a_pixel_show_the_surface_itself(self):
+        def samples(*arguments: str) -> bytes:
+            self.picture("--ev", "9", *arguments)
+            return read_png(self.folder / "picture.png")[3]
+
+        exact = samples("--look", "lamps", "--edge-samples", "1")
+        unlike = [sum(abs(a - b) > 16 for a, b in zip(exact, samples("--look", "mesh:phong", "--mesh", mesh)))
+                  for mesh in ("1", "pixel")]
+        self.assertGreater(unlike[0], len(exact) // 200)
+        self.assertLess(unlike[1], unlike[0] // 4)
 
     def test_all_algorithms_show_the_same(self):
         pictures = {self.picture("--look", "mesh:phong", "--hidden-surfaces", by)
@@ -135,6 +159,9 @@ class MeshLook(MeshTest):
         for wrong, named in ((("--look", "mesh:flat"), "mesh:constant, mesh:gouraud, mesh:phong"),
                              (("--look", "mesh:phong", "--shadows"), "--shadows"),
                              (("--look", "zebra", "--mesh", "1"), "--mesh"),
+                             (("--look", "mesh:phong", "--mesh", "fine"), "--mesh"),
+                             (("--look", "mesh:phong", "--mesh", "nan"), "--mesh"),
+                             (("--look", "mesh:phong", "--mesh", "pixel", "--mesh-shadows", "ray"), "--mesh-shadows"),
                              (("--hidden-surfaces", "scan-line"), "--hidden-surfaces"),
                              (("--mesh-shadows", "ray"), "--mesh-shadows")):
             self.refuse("render", DENT, *SMALL, "-o", "picture.png", *wrong, mentioning=named)

@@ -184,7 +184,11 @@ class Mesh(KeikoTest):
                                   (("-o", "a.vtp", "--field", "deviation"), "--against: is missing"),
                                   (("-o", "a.ply", "--field", "k1", "--field", "k1"), "--field: names a field twice"),
                                   (("-o", "a.vtp", "--deviation", "0"), "--deviation"),
-                                  (("-o", "a.ply", "--field", "k1", "--scale", "1"), "--scale: '1' is not MIN:MAX")):
+                                  (("-o", "a.ply", "--field", "k1", "--scale", "1"), "--scale: '1' is not MIN:MAX"),
+                                  (("-o", "a.ply", "--deviation", "0.000001", "--import-timeout", "0.3"),
+                                   "the mesher did not finish within 0.3 s"),
+                                  (("-o", "a.ply", "--deviation", "0.000001", "--mesher", "spans"),
+                                   "its mesh within 1e-06 mm has more than 50000000 cells or triangles")):
             run = self.keiko("mesh", "-q", surface("dome.bpt"), *arguments)
             self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
             self.assertEqual(run.stderr.count("\n"), 1, run.stderr)

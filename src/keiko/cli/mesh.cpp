@@ -60,7 +60,7 @@ MeshOptions options_of(const MeshArguments& arguments) {
         options.fields.push_back(surface_field_by_name(name));
     if (!arguments.pull.empty()) options.pull = direction("--pull", arguments.pull);
     options.load = load_options(arguments.scene);
-    if (arguments.mesher == "spans") options.mesher = Mesher::spans;
+    options.mesher = mesher_by_name(arguments.mesher);
     return options;
 }
 
@@ -117,13 +117,7 @@ void add_mesh(CLI::App& app, Session& session) {
                     "mm by which the surface may leave the triangles")
         ->check(number_between(1e-6, 1e6))
         ->capture_default_str();
-    command
-        .add_option("--mesher", arguments->mesher,
-                    "opencascade, as viewports have it, its deviation measured; or spans, a grid "
-                    "in each knot span, its deviation and that of trims proved each")
-        ->check(CLI::IsMember({"opencascade", "spans"}))
-        ->option_text("NAME")
-        ->capture_default_str();
+    add_mesher(command, arguments->mesher);
     command
         .add_option("--field", arguments->fields,
                     "number at every corner: k1, k2, mean, gauss, absolute, draft or deviation; "

@@ -4,6 +4,7 @@
 #include "keiko/base/job_steps.h"
 #include "keiko/base/log.h"
 #include "keiko/base/output_folder.h"
+#include "keiko/cli/option_values.h"
 #include "keiko/cli/outputs.h"
 #include "keiko/cli/scene_options.h"
 #include "keiko/cli/session.h"
@@ -16,7 +17,7 @@ namespace {
 struct MeshErrorArguments {
     SceneArguments scene;
     MeshErrorOptions options;
-    std::string rig = "auto", normals = "surface";
+    std::string rig = "auto", normals = "surface", mesher = "opencascade";
     std::filesystem::path output = "keiko-mesh-error", json;
 };
 
@@ -46,7 +47,8 @@ int mesh_error(MeshErrorArguments arguments, const Job& job) {
     }
     require_view_names(arguments.options.views);
     arguments.options.load = load_options(arguments.scene);
-    if (arguments.normals == "averaged") arguments.options.normals = CornerNormals::averaged;
+    arguments.options.normals = corner_normals_by_name(arguments.normals);
+    arguments.options.mesher = mesher_by_name(arguments.mesher);
     constexpr double opening = 1, comparing = 9;
     JobSteps steps(job, opening + comparing);
     const Scene scene = arguments.scene.open(steps.next_of_steps(opening));
@@ -77,6 +79,7 @@ void add_mesh_error(CLI::App& app, Session& session) {
         ->allow_extra_args(false)
         ->check(number_between(1e-6, 1e6))
         ->default_str("1,0.1");
+    add_mesher(command, arguments->mesher);
     command
         .add_option("--normals", arguments->normals,
                     "at the corners of the triangles: surface, its own; or averaged "

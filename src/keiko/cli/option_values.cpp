@@ -27,4 +27,14 @@ std::optional<ValueRange> value_range(const std::string& text) {
     return range;
 }
 
+void add_mesher(CLI::App& command, std::string& name) {
+    command
+        .add_option("--mesher", name,
+                    "opencascade, as viewports have it, its deviation measured; or spans, a grid "
+                    "in each knot span, its deviation and that of trims proved each")
+        ->check(CLI::IsMember({"opencascade", "spans"}))
+        ->option_text("NAME")
+        ->capture_default_str();
+}
+
 } // namespace keiko::cli

@@ -4,6 +4,7 @@
 #include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/geometry/bezier/parameter_metric.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/raster/mesh_budget.h"
 #include "keiko/raster/second_derivative_bounds.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 namespace keiko {
@@ -42,6 +44,15 @@ public:
         return {along_u_.at(range(patch.map_u)), along_v_.at(range(patch.map_v))};
     }
     double deviation() const { return deviation_; }
+    /// Number of the cells of a model's face.
+    std::size_t count(const SurfaceModel& model, const Face& face) const {
+        std::size_t sum = 0;
+        for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
+            const SpanCells cells = of(model.patches[p]);
+            sum += static_cast<std::size_t>(cells.u) * static_cast<std::size_t>(cells.v);
+        }
+        return sum;
+    }
     /// Bounds of a patch, counted from the first of the face.
     const SecondDerivativeBounds& bounds(std::size_t patch) const { return bounds_[patch]; }
 
@@ -219,16 +230,20 @@ private:
     std::map<std::pair<double, double>, std::uint32_t> corners_; ///< by patch parameters
 };
 
-FaceMesh mesh_of(const SurfaceModel& model, const Face& face, double deviation) {
-    const FaceCells cells(model, face, deviation);
+FaceMesh mesh_of(const SurfaceModel& model, const Face& face, const FaceCells& cells,
+                 double deviation, MeshBudget& triangles) {
     const TrimRegion trims(model, face);
     FaceMesh mesh;
     mesh.deviation = cells.deviation();
     for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
         const SpanCells divided = cells.of(model.patches[p]);
         PatchMesher mesher(model, trims, cells.bounds(p - face.first_patch), p, deviation, mesh);
-        for (int i = 0; i < divided.u; ++i)
+        for (int i = 0; i < divided.u; ++i) {
+            const std::size_t before = mesh.triangles.size();
             for (int j = 0; j < divided.v; ++j) mesher.add_cell(divided.box(i, j));
+            triangles.spend(mesh.triangles.size() - before);
+            check_stop();
+        }
     }
     if (mesh.triangles.empty()) mesh.problem = "its trim loops leave no cell";
     return mesh;
@@ -236,10 +251,17 @@ FaceMesh mesh_of(const SurfaceModel& model, const Face& face, double deviation) 
 
 } // namespace
 
-ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job) {
+ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job, std::size_t most) {
+    MeshBudget cells(model, deviation, most), triangles(model, deviation, most);
+    std::vector<std::optional<FaceCells>> divided(model.faces.size());
+    parallel_for(divided.size(), job, "", [&](std::size_t f) {
+        divided[f].emplace(model, model.faces[f], deviation);
+        cells.spend(divided[f]->count(model, model.faces[f]));
+    });
     ModelMesh mesh(model.faces.size());
-    parallel_for(mesh.size(), job, "mesh",
-                 [&](std::size_t f) { mesh[f] = mesh_of(model, model.faces[f], deviation); });
+    parallel_for(mesh.size(), job, "mesh", [&](std::size_t f) {
+        mesh[f] = mesh_of(model, model.faces[f], *divided[f], deviation, triangles);
+    });
     return mesh;
 }
 

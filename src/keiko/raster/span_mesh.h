@@ -4,7 +4,12 @@
 #include "keiko/geometry/model/model_mesh.h"
 #include "keiko/geometry/model/surface_model.h"
 
+#include <cstddef>
+
 namespace keiko {
+
+/// Triangles of a mesh by spans at most: some 5 GB while a picture of them is made.
+constexpr std::size_t most_span_triangles = 50'000'000;
 
 /// Triangles of the material of each face: every patch, a knot span, in a grid of cells of two
 /// triangles that no place of the surface leaves by more than `deviation` mm, which is proved.
@@ -12,7 +17,10 @@ namespace keiko {
 /// are cut along chords. On the surface, no trim curve within the cell is farther from its chord
 /// than `deviation`, which is proved too; trims within a millionth of a patch of its border count
 /// as on it. Islands and holes smaller than `deviation` may be lost. FaceMesh::deviation is the
-/// larger of both bounds. The weights of the model must be positive. Throws Cancelled.
-ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job = {});
+/// larger of both bounds. The weights of the model must be positive. Throws Error naming the
+/// model's source for more than `most` cells or triangles, before memory is spent on more;
+/// Cancelled.
+ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job = {},
+                    std::size_t most = most_span_triangles);
 
 } // namespace keiko

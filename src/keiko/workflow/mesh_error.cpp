@@ -127,12 +127,16 @@ MeshErrorReport mesh_error(const Scene& scene, const MeshErrorOptions& options, 
     require_different_names(views);
     const ChosenLights lights = lights_of(scene, options, views, to_place);
     MeshErrorReport report{version(), source_of(scene), source_of(lights, options),
-                           options.normals == CornerNormals::averaged};
+                           options.normals == CornerNormals::averaged,
+                           options.mesher == Mesher::spans};
     std::vector<SurfaceMesh> triangles;
     for (const double deviation : options.deviations) {
-        triangles.push_back(surface_mesh(
-            scene, {.deviation = deviation, .load = options.load, .normals = options.normals},
-            steps.next(meshing)));
+        triangles.push_back(surface_mesh(scene,
+                                         {.deviation = deviation,
+                                          .load = options.load,
+                                          .mesher = options.mesher,
+                                          .normals = options.normals},
+                                         steps.next(meshing)));
         const SurfaceMesh& mesh = triangles.back();
         report.meshes.push_back(
             {deviation, mesh.deviation, mesh.triangles.size(), mesh.lost_faces});

@@ -18,6 +18,7 @@ struct MeshErrorOptions {
     std::vector<std::string> views{};               ///< names; empty: three automatic ones
     std::optional<std::filesystem::path> rig{};     ///< none: the scene's own, or else placed
     PlacementOptions placement{};                   ///< of lamps that are placed
+    Mesher mesher = Mesher::opencascade;            ///< that makes the meshes
     CornerNormals normals = CornerNormals::surface; ///< of the meshes
     LoadOptions load{};                             ///< of the worker that makes the triangles
 };

@@ -168,6 +168,18 @@ SurfaceField surface_field_by_name(std::string_view name) {
     throw FieldError("field", in_quotes(name) + " is none of " + comma_list(names));
 }
 
+Mesher mesher_by_name(std::string_view name) {
+    if (name == "opencascade") return Mesher::opencascade;
+    if (name == "spans") return Mesher::spans;
+    throw FieldError("mesher", "is opencascade or spans, not " + in_quotes(name));
+}
+
+CornerNormals corner_normals_by_name(std::string_view name) {
+    if (name == "surface") return CornerNormals::surface;
+    if (name == "averaged") return CornerNormals::averaged;
+    throw FieldError("normals", "is surface or averaged, not " + in_quotes(name));
+}
+
 SurfaceMesh surface_mesh(const Scene& scene, const MeshOptions& options, const Job& job) {
     require_options(options);
     constexpr double meshing = 4, evaluating = 1;

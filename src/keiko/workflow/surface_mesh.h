@@ -33,11 +33,17 @@ enum class Mesher {
     spans        ///< a grid in each knot span, within proved bounds
 };
 
+/// "opencascade", "spans". Throws FieldError for another name.
+Mesher mesher_by_name(std::string_view name);
+
 /// Normals at the corners of a mesh.
 enum class CornerNormals {
     surface, ///< those of the exact surface
     averaged ///< the mean of those of the triangles around, within each face
 };
+
+/// "surface", "averaged". Throws FieldError for another name.
+CornerNormals corner_normals_by_name(std::string_view name);
 
 /// Options of surface_mesh.
 struct MeshOptions {

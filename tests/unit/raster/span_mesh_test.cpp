@@ -139,6 +139,24 @@ TEST(SpanMesh, CutsCurvedFacesOfAngularParameters) {
     }
 }
 
+TEST(SpanMesh, RefusesMoreCellsOrTrianglesThanAllowed) {
+    const SurfaceModel torus = test::torus_model(100, 20);
+    const std::size_t count = span_mesh(torus, 0.05).front().triangles.size();
+    EXPECT_EQ(span_mesh(torus, 0.05, {}, count).front().triangles.size(), count);
+    EXPECT_THROW(span_mesh(torus, 0.05, {}, count - 1), Error);
+    test::ShapeBuilder shape; // one cell, but many triangles along the hole
+    shape.face({test::rectangle(0, 9, 0, 9, 0)},
+               {test::polygon({Vec2(0, 0), Vec2(9, 0), Vec2(9, 9), Vec2(0, 9)}),
+                test::circle(Vec2(4, 4), 2)});
+    EXPECT_GT(span_mesh(shape.model(), 1e-3).front().triangles.size(), 20U);
+    try {
+        span_mesh(shape.model(), 1e-3, {}, 20);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "its mesh within 0.001 mm has more than 20 cells or triangles");
+    }
+}
+
 TEST(SpanMesh, NeighboursHaveAsManyCellsAlongTheirCommonSide) {
     const SurfaceModel model = test::torus_model(100, 20);
     const FaceMesh mesh = span_mesh(model, 0.05).front();

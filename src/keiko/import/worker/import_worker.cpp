@@ -34,13 +34,15 @@ bool short_of_memory(const WorkerExit& exit, const LoadOptions& options) {
     return options.memory_limit > 0 && exit.peak_memory > options.memory_limit / 4;
 }
 
-/// The one line about a worker that did not answer.
-std::string failure(const WorkerExit& exit, const LoadOptions& options) {
-    if (exit.timed_out) return "the reader did not finish within " + seconds(options.timeout);
+/// The one line about a worker that did not answer. `worker`: "reader" or "mesher".
+std::string failure(const std::string& worker, const WorkerExit& exit, const LoadOptions& options) {
+    if (exit.timed_out)
+        return "the " + worker + " did not finish within " + seconds(options.timeout);
     if (exit.signal != 0)
-        return std::string("the reader crashed on it: ") + strsignal(exit.signal) +
+        return "the " + worker + " crashed on it: " + strsignal(exit.signal) +
                (short_of_memory(exit, options) ? ", perhaps for lack of memory" : "");
-    return "the reader gave no model (exit code " + std::to_string(exit.code) + ")" +
+    return "the " + worker + (worker == "mesher" ? " gave no mesh" : " gave no model") +
+           " (exit code " + std::to_string(exit.code) + ")" +
            (exit.last_complaint.empty() ? "" : ": " + shortened(exit.last_complaint));
 }
 
@@ -104,12 +106,13 @@ WorkerAnswer answer_of(const std::string& file, std::vector<std::string> argumen
                     std::string(input.empty() ? "cannot be read" : "cannot be written") +
                         ": no reader at " + worker.string());
     WorkerAnswer answer(file, options.memory_limit, job);
+    const std::string called = arguments.front() == "mesh" ? "mesher" : "reader";
     const WorkerExit exit = run_worker(
         {worker, std::move(arguments), input}, options.timeout,
         [&](std::string_view bytes) { answer.receive(bytes); }, job);
     const bool ended_well = !exit.timed_out && exit.signal == 0 && exit.code == 0;
     if (answer.reason().empty() && !(ended_well && answer.has_result()))
-        throw Error(file, "", failure(exit, options));
+        throw Error(file, "", failure(called, exit, options));
     return answer;
 }
 

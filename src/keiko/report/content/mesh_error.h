@@ -13,9 +13,9 @@ namespace KEIKO_API keiko {
 
 /// A mesh whose reflections are compared with those of the surface.
 struct ComparedMesh {
-    double asked = 0;          ///< mm, deviation that was requested
-    double deviation = 0;      ///< mm, measured: largest of the surface from the triangles
-    std::size_t triangles = 0; ///< number of them
+    double asked = 0;                    ///< mm, deviation that was requested
+    double deviation = 0;                ///< mm, largest of the surface from the triangles
+    std::size_t triangles = 0;           ///< number of them
     std::vector<std::string> lost_faces; ///< a line for each face without triangles
 };
 
@@ -46,6 +46,7 @@ struct MeshErrorReport {
     std::string source;                 ///< files of the part
     std::string lamps;                  ///< where the lamps are from
     bool averaged_normals = false;      ///< corners have the mean normals of triangles around them
+    bool proved = false;                ///< deviations are bounds; otherwise they are measured
     std::vector<ComparedMesh> meshes{}; ///< in the order of the requests
     std::vector<MeshErrorView> views{}; ///< in order
     FolderContent pngs{};               ///< that the views name

@@ -155,7 +155,9 @@ std::string meshes(const MeshErrorReport& report) {
         for (const std::string& face : mesh.lost_faces)
             lost += "<li>" + html_escaped(mesh_name(mesh) + ": " + face) + "</li>";
     }
-    return html_plain_table({"asked, mm", "measured, mm", "triangles", "faces lost"}, rows) +
+    return html_plain_table({"asked, mm", report.proved ? "proved, mm" : "measured, mm",
+                             "triangles", "faces lost"},
+                            rows) +
            (lost.empty() ? "" : "<ul>" + lost + "</ul>");
 }
 

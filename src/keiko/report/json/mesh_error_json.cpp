@@ -80,6 +80,7 @@ std::string mesh_error_json(const MeshErrorReport& report) {
                     {"source", report.source},
                     {"lamps", report.lamps},
                     {"normals", report.averaged_normals ? "averaged" : "surface"},
+                    {"deviations", report.proved ? "proved" : "measured"},
                     {"wrong_coverage", wrong_coverage},
                     {"reversed_coverage", reversed_coverage},
                     {"meshes", std::move(meshes)},

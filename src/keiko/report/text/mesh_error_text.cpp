@@ -47,8 +47,9 @@ std::string mesh_error_text(const MeshErrorReport& report) {
             lines.line() << "  " << view.name << ": " << e.wrong << " of " << e.compared
                          << " pixels wrong, " << e.reversed
                          << " reversed; 99 % of the lines within " << short_number(e.pixels.p99)
-                         << " px, " << short_number(e.on_part.p99) << " mm; " << e.missed.all
-                         << " pixels missed, " << e.missed.inside << " of them inside";
+                         << " px, " << short_number(e.on_part.p99) << " mm; "
+                         << counted(e.missed.all, "pixel") << " missed, " << e.missed.inside
+                         << " of them inside";
         }
     }
     return lines.text();
