@@ -71,7 +71,7 @@ std::optional<ChosenMode> RenderArguments::look() const {
 std::optional<MeshLook> RenderArguments::mesh_look() const {
     const auto shading = mesh_shading_from(look_);
     const auto stated = [](const CLI::Option* option) { return option && option->count() > 0; };
-    require_mode(shading.has_value(), mesh_.has_value(), "--mesh", "--look mesh:...");
+    require_mode(shading.has_value(), !mesh_.empty(), "--mesh", "--look mesh:...");
     require_mode(shading.has_value(), stated(stated_hidden_), "--hidden-surfaces",
                  "--look mesh:...");
     require_mode(shading.has_value(), stated(stated_mesh_shadows_), "--mesh-shadows",
@@ -81,8 +81,15 @@ std::optional<MeshLook> RenderArguments::mesh_look() const {
     if (hidden_surfaces_ == "scan-line") look.hidden_surfaces = HiddenSurfaces::scan_line;
     if (hidden_surfaces_ == "painter") look.hidden_surfaces = HiddenSurfaces::painter;
     look.shadows = shadows_by_name(mesh_shadows_);
-    look.mesh.deviation = mesh_.value_or(look.mesh.deviation);
     look.mesh.load = load_options(scene);
+    if (mesh_ == "pixel") {
+        for (const CLI::Option* other : {stated_hidden_, stated_mesh_shadows_})
+            if (stated(other))
+                throw Error("", "--mesh pixel", "has no mesh for " + other->get_name());
+        look.by_pixels = true;
+    } else if (!mesh_.empty()) {
+        look.mesh.deviation = std::stod(mesh_);
+    }
     return look;
 }
 

@@ -139,9 +139,9 @@ std::string RenderArguments::key() const {
              << light_error << ' ' << edge_samples << ' ' << eye_distance_ << '\n';
     for (const std::string& text :
          {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_, tone_, look_, pull_,
-          section_, stereo_, hidden_surfaces_, mesh_shadows_})
+          section_, stereo_, hidden_surfaces_, mesh_shadows_, mesh_})
         settings << text << '\n';
-    for (const std::optional<double>& number : {ev_, draft_, radius_, screen_distance_, mesh_}) {
+    for (const std::optional<double>& number : {ev_, draft_, radius_, screen_distance_}) {
         if (number) settings << *number;
         settings << '\n';
     }

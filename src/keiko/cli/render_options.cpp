@@ -130,9 +130,12 @@ void RenderArguments::add_looks(CLI::App& command) {
                     "of --look curvature:section: X,Y,Z, normal of the parallel planes [0,1,0]")
         ->check(not_empty());
     command
-        .add_option("--mesh", mesh_,
-                    "of --look mesh:...: mm by which the surface may leave the triangles [0.1]")
-        ->check(number_between(1e-6, 1e6));
+        .add_option(
+            "--mesh", mesh_,
+            "of --look mesh:...: mm by which the surface may leave the triangles; or pixel: "
+            "the exact patches, divided until each pixel has a facet of its own [0.1]")
+        ->option_text("MM|pixel")
+        ->check(CLI::IsMember({"pixel"}) | number_between(1e-6, 1e6));
     stated_hidden_ =
         command
             .add_option("--hidden-surfaces", hidden_surfaces_,

@@ -83,9 +83,9 @@ private:
 
     std::string aovs_, look_ = "lamps", scale_, quantity_ = "luminance", penumbrae_ = "width",
                        tone_ = "linear", frames_, pull_, section_, stereo_,
-                       hidden_surfaces_ = "z-buffer", mesh_shadows_ = "none";
+                       hidden_surfaces_ = "z-buffer", mesh_shadows_ = "none", mesh_;
     double eye_distance_ = Stereo().eye_distance;
-    std::optional<double> ev_, draft_, radius_, screen_distance_, mesh_;
+    std::optional<double> ev_, draft_, radius_, screen_distance_;
     std::vector<const CLI::Option*> of_lamps_;   ///< options that only pictures under the lamps use
     std::vector<const CLI::Option*> of_surface_; ///< of these, those that meshes do not have
     Vec3 viewed_across_ = ChosenMode().section;  ///< --section of the analysis's view

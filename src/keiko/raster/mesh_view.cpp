@@ -5,6 +5,8 @@
 #include "keiko/raster/smooth_shading.h"
 #include "keiko/raster/z_buffer.h"
 
+#include <utility>
+
 namespace keiko {
 namespace {
 
@@ -24,10 +26,10 @@ Ray mirrored_by(const MeshPlace& place, const Ray& sight) {
 } // namespace
 
 MeshView::MeshView(const SurfaceMesh& mesh, const Camera& camera, const Job& job, HiddenSurfaces by)
-    : mesh_(mesh),
-      camera_(camera),
-      prepared_(camera),
-      items_(visible_triangles(mesh, camera, job, by)) {}
+    : MeshView(mesh, camera, visible_triangles(mesh, camera, job, by)) {}
+
+MeshView::MeshView(const SurfaceMesh& mesh, const Camera& camera, ItemBuffer items)
+    : mesh_(mesh), camera_(camera), prepared_(camera), items_(std::move(items)) {}
 
 std::array<Vec3, 3> MeshView::corners(std::uint32_t triangle) const {
     const auto& [a, b, c] = mesh_.triangles[triangle];

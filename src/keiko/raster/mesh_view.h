@@ -29,6 +29,9 @@ public:
     MeshView(const SurfaceMesh& mesh, const Camera& camera, const Job& job = {},
              HiddenSurfaces by = HiddenSurfaces::z_buffer);
 
+    /// A view whose pixels are known to show these triangles. Keeps the same references.
+    MeshView(const SurfaceMesh& mesh, const Camera& camera, ItemBuffer items);
+
     /// The mesh that is seen.
     const SurfaceMesh& mesh() const { return mesh_; }
     /// The eye.

@@ -66,22 +66,28 @@ bool is_behind_eye(const std::vector<Vec4>& points) {
 /// Draws the patches of a model into a band of a picture.
 class BandPainter {
 public:
+    /// `seen`: the pieces of the whole picture. The window is as wide as that.
     BandPainter(const SurfaceModel& model, const std::vector<TrimRegion>& trims,
-                const PixelBox& window, ItemBuffer& seen)
+                const PixelBox& window, std::vector<PatchPiece>& seen)
         : model_(model),
           trims_(trims),
           window_(window),
           seen_(seen),
-          nearness_(static_cast<std::size_t>(seen.width) *
-                        static_cast<std::size_t>(window.last_y - window.first_y + 1),
+          nearness_(index(0, window.last_y + 1) - index(0, window.first_y),
                     -std::numeric_limits<double>::infinity()) {}
 
-    void draw(std::uint32_t patch, std::vector<Vec4> points) {
-        patch_ = patch, face_ = model_.patches[patch].face;
+    void draw(std::uint32_t instance, std::uint32_t patch, const std::vector<Vec4>& points) {
+        instance_ = instance, patch_ = patch, face_ = model_.patches[patch].face;
         divide(points, unit_square);
     }
 
 private:
+    /// Number of a pixel of the picture, row by row.
+    std::size_t index(int x, int y) const {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(window_.last_x + 1) +
+               static_cast<std::size_t>(x);
+    }
+
     BezierPatchView view_of(const std::vector<Vec4>& points) const {
         const Patch& patch = model_.patches[patch_];
         return {patch.degree_u, patch.degree_v, points};
@@ -116,38 +122,51 @@ private:
         if (!trims_[face_].untrimmed() &&
             !trims_[face_].contains(model_.face_parameters(patch_, uv.center())))
             return;
-        double& nearest = nearness_[seen_.index(x, y - window_.first_y)];
+        double& nearest = nearness_[index(x, y - window_.first_y)];
         const double own = evaluate(view_of(points), Vec2(0.5), 0).position().z;
         if (!(own > nearest)) return;
         nearest = own;
-        seen_.shown[seen_.index(x, y)] = face_;
+        seen_[index(x, y)] = {instance_, patch_, uv};
     }
 
     const SurfaceModel& model_;
     const std::vector<TrimRegion>& trims_;
     PixelBox window_;
-    ItemBuffer& seen_;
+    std::vector<PatchPiece>& seen_;
     std::vector<double> nearness_;
-    std::uint32_t patch_ = 0, face_ = 0;
+    std::uint32_t instance_ = 0, patch_ = 0, face_ = 0;
 };
 
 } // namespace
 
-ItemBuffer subdivided_faces(const SurfaceModel& model, const Camera& camera, const Job& job) {
+std::vector<PatchPiece> subdivided_pieces(const SurfaceModel& model, const Camera& camera,
+                                          const Job& job) {
     std::vector<TrimRegion> trims;
     for (const Face& face : model.faces) trims.emplace_back(model, face);
-    ItemBuffer seen(camera.width, camera.height);
+    std::vector<PatchPiece> seen(static_cast<std::size_t>(camera.width) *
+                                 static_cast<std::size_t>(camera.height));
     const int bands = (camera.height + band_rows - 1) / band_rows;
     parallel_for(static_cast<std::size_t>(bands), job, "subdivide", [&](std::size_t band) {
         const int first = static_cast<int>(band) * band_rows;
         const int last = std::min(first + band_rows, camera.height) - 1;
         BandPainter painter(model, trims, {0, first, camera.width - 1, last}, seen);
-        for (const Instance& instance : model.instances)
-            for (std::uint32_t p = 0; p < model.patches.size(); ++p)
-                if (model.faces[model.patches[p].face].part == instance.part)
-                    painter.draw(p, picture_points(model.patch(p), instance.transform, camera));
+        for (std::uint32_t i = 0; i < model.instances.size(); ++i)
+            for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
+                const Instance& instance = model.instances[i];
+                if (model.faces[model.patches[p].face].part != instance.part) continue;
+                check_stop();
+                painter.draw(i, p, picture_points(model.patch(p), instance.transform, camera));
+            }
     });
     return seen;
+}
+
+ItemBuffer subdivided_faces(const SurfaceModel& model, const Camera& camera, const Job& job) {
+    const std::vector<PatchPiece> pieces = subdivided_pieces(model, camera, job);
+    ItemBuffer faces(camera.width, camera.height);
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+        if (pieces[i].instance != no_index) faces.shown[i] = model.patches[pieces[i].patch].face;
+    return faces;
 }
 
 } // namespace keiko

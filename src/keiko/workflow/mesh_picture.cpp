@@ -6,6 +6,7 @@
 #include "keiko/base/text.h"
 #include "keiko/geometry/bezier/bezier.h"
 #include "keiko/raster/mesh_shading.h"
+#include "keiko/raster/pixel_facets.h"
 #include "keiko/render/shading/integrator.h"
 #include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/mesh_light_shares.h"
@@ -175,21 +176,40 @@ std::optional<MeshShading> mesh_shading_from(const std::string& look) {
                                  comma_list(known) + did_you_mean(look, known));
 }
 
+namespace {
+
+Film shaded_film(const MeshView& view, const MeshLight& light, MeshShading shading,
+                 const Job& job) {
+    Film film{shaded_mesh(
+                  view, shading, [&](const ShadedPlace& lit) { return light.of(lit); }, job),
+              Image(view.items().width, view.items().height, 1),
+              {}};
+    add_surroundings(film, view, light, job);
+    return film;
+}
+
+Film pixel_film(const Scene& scene, const LightRig& rig, const Camera& camera, const MeshLook& look,
+                JobSteps& steps, double dividing, double shading) {
+    if (look.shadows != MeshShadows::none)
+        throw FieldError("mesh", "by the pixel has only what is seen, which casts no shadows");
+    const PixelFacets facets = pixel_facets(scene.model, camera, steps.next(dividing, 2));
+    const MeshView view(facets.mesh, camera, facets.items);
+    return shaded_film(view, MeshLight(scene, rig, facets.mesh), look.shading, steps.next(shading));
+}
+
+} // namespace
+
 Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera, const MeshLook& look,
                const Job& job) {
     require_plain(scene, rig);
     constexpr double meshing = 3, shading = 2;
     JobSteps steps(job, meshing + shading);
+    if (look.by_pixels) return pixel_film(scene, rig, camera, look, steps, meshing, shading);
     const SurfaceMesh triangles = surface_mesh(scene, look.mesh, steps.next(meshing));
     const Job to_shade = steps.next(shading);
     const MeshView view(triangles, camera, to_shade, look.hidden_surfaces);
     const MeshLight light(scene, rig, triangles);
-    Film film{
-        shaded_mesh(
-            view, look.shading, [&](const ShadedPlace& lit) { return light.of(lit); }, to_shade),
-        Image(camera.width, camera.height, 1),
-        {}};
-    add_surroundings(film, view, light, to_shade);
+    Film film = shaded_film(view, light, look.shading, to_shade);
     if (look.shadows == MeshShadows::none) return film;
     const SurfaceMesh grounded = on_ground(triangles, scene);
     const MeshView receiving(grounded, camera, to_shade);
