@@ -685,6 +685,57 @@ class MeshTest(unittest.TestCase):
             keiko.mesh(dome, "deviation")
 
 
+class MeshErrorTest(unittest.TestCase):
+    dent = ROOT / "surfaces/dent.step"
+    small = {"views": "three-quarter-front", "width": 240, "height": 160}
+
+    def test_it_is_what_the_command_line_writes(self):
+        errors = keiko.mesh_error(self.dent, [1, 0.2], **self.small)
+        with tempfile.TemporaryDirectory() as folder:
+            told("mesh-error", self.dent, "--size", "240x160", "--view", "three-quarter-front", "--mesh", "1,0.2", "-o",
+                 f"{folder}/program", "-q")
+            errors.write(f"{folder}/module")
+            program, module = (sorted(Path(folder, name).iterdir()) for name in ("program", "module"))
+            self.assertEqual([path.name for path in program], [path.name for path in module])
+            for one, other in zip(program, module):
+                if one.name in ("mesh-error.json", "mesh-error.html"):
+                    continue  # they name the files as each was called
+                self.assertEqual(one.read_bytes(), other.read_bytes(), one.name)
+            written = json.loads((Path(folder) / "program/mesh-error.json").read_text())
+        self.assertEqual(written["views"], errors.to_dict()["views"])
+        self.assertIn("data:image/png;base64,", errors.html)
+        self.assertEqual(pickle.loads(pickle.dumps(errors)).to_json(), errors.to_json())
+
+    def test_figures_have_a_row_a_view_and_mesh(self):
+        errors = keiko.mesh_error(self.dent, [0.1, 0.01], mesher="spans", rig=ROOT / "lightrigs/tunnel-12.toml",
+                                  **{**self.small, "views": ["three-quarter-front", "top"]})
+        figures = errors.figures
+        self.assertEqual(list(zip(figures["view"], figures["asked"])),
+                         [(view, asked) for view in ("three-quarter-front", "top") for asked in (0.1, 0.01)])
+        for row, mesh in zip(figures, [mesh for view in errors.to_dict()["views"] for mesh in view["meshes"]]):
+            told_errors = mesh["errors"]
+            self.assertEqual(row["wrong"], told_errors["wrong"])
+            self.assertEqual(row["missed_inside"], told_errors["missed"]["inside"])
+            self.assertEqual(row["on_part_p99"], told_errors["displacement"]["on_part"]["p99"])
+            self.assertEqual(row["band_gouraud"], mesh["facet_bands"]["gouraud"])
+        for i, mesh in enumerate(errors.meshes):
+            of_mesh = figures[figures["asked"] == mesh["asked"]]
+            self.assertAlmostEqual(of_mesh["wrong"].sum() / of_mesh["compared"].sum(), mesh["wrong_share"])
+            self.assertLessEqual(mesh["deviation"], mesh["asked"])
+        self.assertGreater(figures["pixels_p99"][0], 2 * figures["pixels_p99"][1])
+        self.assertEqual(errors.to_dict()["deviations"], "proved")
+
+    def test_wrong_arguments_are_refused(self):
+        for options, field in (({"mesh": 0}, "mesh"), ({"mesh": []}, "mesh"), ({"mesh": [1, 1]}, "mesh"),
+                               ({"mesher": "delaunay"}, "mesher"), ({"normals": "flat"}, "normals"),
+                               ({"width": 100}, "width"), ({"views": ["inside"]}, "inside"),
+                               ({"rig": ROOT / "lightrigs/one-point.toml"}, "no rows of tubes")):
+            with self.assertRaisesRegex(keiko.Error, field):
+                keiko.mesh_error(self.dent, **options)
+        with self.assertRaisesRegex(TypeError, "mesher"):
+            keiko.mesh_error(self.dent, mesher=3)
+
+
 class DrawingTest(unittest.TestCase):
     block = ROOT / "surfaces/bored-block.step"
 

@@ -98,6 +98,7 @@ PYBIND11_MODULE(_keiko, module) {
     keiko::python::add_pictures(module);
     keiko::python::add_analyses(module);
     keiko::python::add_meshes(module);
+    keiko::python::add_mesh_errors(module);
     keiko::python::add_scans(module);
     keiko::python::add_comparisons(module);
     keiko::python::add_verbs(module);

@@ -160,6 +160,8 @@ void add_comparisons(pybind11::module_& module);
 void add_verbs(pybind11::module_& module);
 /// The class Mesh and the function surface_mesh.
 void add_meshes(pybind11::module_& module);
+/// The function mesh_error_files.
+void add_mesh_errors(pybind11::module_& module);
 /// The functions scan_deviations and scan_points.
 void add_scans(pybind11::module_& module);
 /// The function analysis_png.

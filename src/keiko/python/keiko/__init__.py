@@ -14,24 +14,24 @@ import tempfile as _tempfile
 import numpy as _np
 
 from . import _pages
-from ._arguments import checked as _checked, error as _error, rows as _rows
-from ._documents import Check, Comparison, Document, Facts, Judged, Lines, Regression, Report, ScanComparison
+from ._arguments import checked as _checked, error as _error, number as _number, rows as _rows
+from ._documents import Check, Comparison, Document, Facts, Judged, Lines, MeshErrors, Regression, Report, ScanComparison
 from ._keiko import (Curve, DeepBuffer, Drawing, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
                      accept_findings, analysis_png, check_json, comparison_files, deep_buffer, draw_sheet, find_lines, hit_dtype,
-                     illuminance_numbers, info_json, load_model, luminance_numbers, open_scene, place_lamps,
+                     illuminance_numbers, info_json, load_model, luminance_numbers, mesh_error_files, open_scene, place_lamps,
                      read_curves, regress_json, render_film, report_files, scan_deviations, scan_points, surface_mesh,
                      unpickled_model, version, write_curves)
 from ._picture import Picture
 from ._rig import Rig
 
 __version__ = version()
-__all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Drawing", "Error", "Facts", "Film", "Lines", "Mesh", "Model",
+__all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Drawing", "Error", "Facts", "Film", "Lines", "Mesh", "MeshErrors", "Model",
            "Picture", "Placement", "Regression", "Report", "Rig", "ScanComparison", "Scene", "Spline", "accept",
            "accept_baselines", "analysis_picture", "check", "compare", "compare_scan", "deep_view", "draw", "hit_dtype",
-           "illuminance", "info", "inspect", "lines", "load", "luminance", "mesh", "open_scene", "place",
+           "illuminance", "info", "inspect", "lines", "load", "luminance", "mesh", "mesh_error", "open_scene", "place",
            "read_curves", "read_scan", "regress", "render", "version", "write_curves"]
 
-for _type in (Check, Comparison, Document, Facts, Judged, Lines, Picture, Regression, Report, ScanComparison, Rig):
+for _type in (Check, Comparison, Document, Facts, Judged, Lines, MeshErrors, Picture, Regression, Report, ScanComparison, Rig):
     _type.__module__ = __name__  # what pickles and help() name
 
 
@@ -264,6 +264,22 @@ def mesh(scene, fields=(), *, deviation: float = 0.1, pull=(0, 0, 1), against=No
     scene = _opened(scene, progress, threads)
     other = None if against is None else _opened(against, progress, threads)
     return surface_mesh(scene, deviation, _words(fields), tuple(pull), other, reach, progress, threads)
+
+
+@_checked
+def mesh_error(scene, mesh=(1, 0.1), *, views=(), rig=None, mesher: str = "opencascade", normals: str = "surface",
+               width: int = 0, height: int = 0, progress=None, threads: int = 0) -> MeshErrors:
+    """Compares what meshes of a body mirror of rows of lamps with what its exact surface mirrors.
+
+    `mesh` is a deviation in mm, or several: a mesh each. `views` are names, () for three automatic ones. `rig` is a
+    rig file or a Rig; without one the lamps are the scene's own, or placed. `mesher` is opencascade, as viewports
+    have it, its deviation measured, or spans, within a proved bound. `normals` of corners are the surface's, or
+    averaged over the triangles around. `width` and `height` are pixels of the pictures, 0: the scene's own size.
+    """
+    deviations = [_number("mesh", one) for one in ([mesh] if _np.ndim(mesh) == 0 else mesh)]
+    options = {"views": _words(views), "mesher": mesher, "normals": normals, "width": width, "height": height}
+    scene = _opened(scene, progress, threads)
+    return MeshErrors(mesh_error_files(scene, deviations, rig, options, progress, threads), _os.getcwd())
 
 
 @_checked

@@ -59,6 +59,11 @@ def _taken(name: str, annotation: str, value):
         raise TypeError(f"{name}: {meaning} is needed, not {given[:60]}") from None
 
 
+def number(name: str, value) -> float:
+    """A number. What is none raises TypeError with the name of the argument."""
+    return _taken(name, "float", value)
+
+
 def checked(verb):
     """The verb, which takes its annotated arguments as whole numbers, numbers, flags and texts.
 

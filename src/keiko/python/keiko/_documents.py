@@ -4,6 +4,8 @@ from __future__ import annotations
 import json
 from math import inf
 
+import numpy as np
+
 from . import _pages
 from ._keiko import write_report  # type: ignore[import]
 
@@ -172,6 +174,69 @@ class Comparison(Judged):
         return (_pages.heading(self.verdict, f"{values['before']} and {values['after']}")
                 + _pages.table(["", "check", "what"], rows)
                 + _pages.table(["finding", "code", "faces", "what"], changed))
+
+
+class MeshErrors(Document):
+    """What meshes of a part do to its reflections, as `keiko mesh-error --json` has it, with page and pictures."""
+
+    def __init__(self, files: dict, base: str):
+        super().__init__(files["mesh-error.json"].decode())
+        self._files, self._base = files, base
+
+    @property
+    def meshes(self) -> list:
+        """A dictionary a mesh: `asked` and `deviation` in mm, `triangles`, `lost_faces`, and `wrong_share`.
+
+        `wrong_share` is the share of the compared pixels of all views that are wrong, None if none mirrors lamps.
+        """
+        return self._values["meshes"]
+
+    @property
+    def figures(self) -> np.ndarray:
+        """The errors in numbers: a structured array with a row for each view and mesh.
+
+        `view` and `asked` (mm) name the row. Numbers of pixels are `body`, `compared`, `wrong` (lamps fill another
+        share, by more than 0.1), `reversed` (by more than 0.5), `missed`, `added` and `other_face`, and of these the
+        ones inside of faces, `missed_inside` and so on. Sizes are `pixels`, `on_part` and `at_lamps`, the displacement
+        of mirrored lines in pixels and in mm, and `normal`, in seconds of arc: each has `_median`, `_p99` and
+        `_largest`. Mach bands at `band_places` borders of facets are `band_truth` of the surface, `band_constant`,
+        `band_gouraud` and `band_phong`: second differences from pixel to pixel, in shares of the largest luminance.
+        """
+        rows = [_figures(view["view"], mesh) for view in self._values["views"] for mesh in view["meshes"]]
+        kinds = {str: f"U{max(len(row['view']) for row in rows)}", int: "i8", float: "f8"}
+        columns = [(name, kinds[type(value)]) for name, value in rows[0].items()]
+        return np.array([tuple(row.values()) for row in rows], columns)
+
+    @property
+    def html(self) -> str:
+        """The page for people, pictures included."""
+        return self._files["mesh-error.html"].decode()
+
+    def write(self, folder) -> None:
+        """Writes what `keiko mesh-error -o folder` writes, in place of earlier results there."""
+        write_report(folder, self._files, self._base)
+
+    def __reduce__(self):
+        return type(self), (self._files, self._base)
+
+    def __repr__(self) -> str:
+        return f"<MeshErrors: {_pages.counted(len(self.figures), 'row')}, one a view and mesh>"
+
+    def _repr_html_(self) -> str:
+        return _pages.framed(self.html)
+
+
+def _figures(view: str, mesh: dict) -> dict:
+    """The errors of a mesh in a view by the columns of MeshErrors.figures."""
+    errors, bands = mesh["errors"], mesh["facet_bands"]
+    row = {"view": view, "asked": float(mesh["asked"])}
+    row |= {name: errors[name] for name in ("body", "compared", "wrong", "reversed")}
+    for name in ("missed", "added", "other_face"):
+        row |= {name: errors[name]["all"], f"{name}_inside": errors[name]["inside"]}
+    for name, sizes in (*errors["displacement"].items(), ("normal", errors["normal_arcsec"])):
+        row |= {f"{name}_{quantile}": float(size) for quantile, size in sizes.items()}
+    row["band_places"] = bands["places"]
+    return row | {f"band_{name}": float(bands[name]) for name in ("truth", "constant", "gouraud", "phong")}
 
 
 class ScanComparison(Judged):
