@@ -6,7 +6,7 @@
 #include "keiko/render/shading/picture.h"
 
 #include "tests/support/random.h"
-#include "tests/support/shapes.h"
+#include "tests/unit/render/caustic_stages.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,50 +19,19 @@
 namespace keiko {
 namespace {
 
+using namespace test;
 using std::numbers::pi;
 
-/// A body and a floor, the last face, under lights.
-struct Stage {
-    SurfaceModel model;
-    Tracer tracer;
-    std::vector<Material> materials;
-    LightRig rig{};
-
-    Stage(SurfaceModel body, const Material& material)
-        : model(std::move(body)), tracer(model, {.second_derivatives = true}) {
-        materials.assign(model.faces.size(), material);
-        materials.back() = Material();
-        materials.back().diffuse = Rgb(0.5), materials.back().refractive_index = 1;
-    }
-    std::uint32_t floor() const { return static_cast<std::uint32_t>(model.faces.size() - 1); }
-    /// A piece of the floor, `wide` mm.
-    SurfaceFootprint piece(const Vec3& middle, double wide = 1e-3) const {
-        return {0, floor(), middle, {0, 0, 1}, {wide, 0, 0}, {0, wide, 0}};
-    }
-};
-
-Material perfect_mirror() {
-    Material mirror;
-    mirror.metal = MetalIndex{Rgb(1), Rgb(1e9)};
-    return mirror;
-}
-
-Material clear_glass(double n, double absorption = 0) {
-    Material glass;
-    glass.diffuse = Rgb(0), glass.refractive_index = n, glass.glass = Glass{Rgb(absorption), 0};
-    return glass;
-}
-
-constexpr double radius = 100, wall = 300, lux = 1000;
+constexpr double radius = 100, wall = 300;
 const double elevation = 50 * pi / 180;
 
 /// Half of a tube about the z axis, x > 0, on a floor, under a sun along x.
-Stage half_mirror() {
+CausticStage half_mirror() {
     const std::vector<test::PatchData> quarters = test::cylinder(radius, wall);
     test::ShapeBuilder builder;
     builder.face({quarters[0]}).face({quarters[3]});
     builder.face({test::rectangle(-400, 400, -400, 400, 0)});
-    Stage stage(builder.model(), perfect_mirror());
+    CausticStage stage(builder.model(), perfect_mirror());
     stage.rig.sources = {
         Sun{.direction = {std::cos(elevation), 0, -std::sin(elevation)}, .illuminance = Rgb(lux)}};
     return stage;
@@ -101,66 +70,10 @@ Lit in_half_mirror(const Vec3& p) {
     return lit;
 }
 
-constexpr double floor_half = 2000;
-constexpr double ball_radius = 50, ball_height = 90, index = 1.5;
-
-/// A ball of glass over a floor.
-Stage ball_lens(const LightSource& light, double absorption = 0) {
-    test::ShapeBuilder builder;
-    builder.face(test::sphere({0, 0, ball_height}, ball_radius));
-    builder.face({test::rectangle(-floor_half, floor_half, -floor_half, floor_half, 0)});
-    Stage stage(builder.model(), clear_glass(index, absorption));
-    stage.rig.sources = {light};
-    return stage;
-}
-
-/// A ray straight down past the middle of the ball at `b`: how far from the middle of the floor it
-/// arrives, and with what share of its light.
-struct Thrown {
-    double to = 0, share = 0;
-};
-Thrown thrown(double b) {
-    const double i = std::asin(b / ball_radius), r = std::asin(b / ball_radius / index);
-    const double turned = 2 * (i - r); // towards the middle
-    const double out = i + pi - 2 * r; // angle of the place where it leaves, from the top
-    const double x = ball_radius * std::sin(out), z = ball_radius * std::cos(out);
-    const double f = fresnel_dielectric(std::cos(i), index);
-    return {x - std::tan(turned) * (ball_height + z), (1 - f) * (1 - f)};
-}
-
-Sun sun_above() {
-    return {.direction = {0, 0, -1}, .illuminance = Rgb(lux)};
-}
-
-/// Illuminance at `rho` from the middle by the rays straight down that arrive there.
-double under_ball(double rho) {
-    double sum = 0;
-    constexpr int steps = 2000;
-    for (int i = 0; i < steps; ++i)
-        for (const double side : {-1.0, 1.0}) {
-            const auto miss = [&](double b) { return thrown(b).to - side * rho; };
-            double low = ball_radius * (i + 1e-6) / steps, high = low + ball_radius / steps;
-            if (i + 1 == steps || (miss(low) < 0) == (miss(high) < 0)) continue;
-            const bool rises = miss(low) < 0;
-            for (int k = 0; k < 50; ++k) {
-                const double middle = (low + high) / 2;
-                ((miss(middle) < 0) == rises ? low : high) = middle;
-            }
-            constexpr double h = 1e-5;
-            const double slope = (thrown(low + h).to - thrown(low - h).to) / (2 * h);
-            sum += lux * thrown(low).share * low / (rho * std::abs(slope));
-        }
-    return sum;
-}
-
-CausticSpec spec_of(int interfaces, int detail = 128) {
-    return {.detail = detail, .interfaces = interfaces, .min_weight = 0.05};
-}
-
 } // namespace
 
 TEST(Caustics, OfACircularMirrorAreThoseOfTheMirrorEquation) {
-    const Stage stage = half_mirror();
+    const CausticStage stage = half_mirror();
     const PreparedRig rig(stage.rig);
     const Caustics caustics(stage.tracer, stage.materials, rig, spec_of(1));
     test::Random random(4);
@@ -181,7 +94,7 @@ TEST(Caustics, OfACircularMirrorAreThoseOfTheMirrorEquation) {
 }
 
 TEST(Caustics, OfABallLensAreThoseOfItsRays) {
-    const Stage stage = ball_lens(sun_above());
+    const CausticStage stage = ball_lens(sun_above());
     const PreparedRig rig(stage.rig);
     const Caustics caustics(stage.tracer, stage.materials, rig, spec_of(2));
     int lit = 0;
@@ -209,7 +122,7 @@ TEST(Caustics, OnTheAxisOfABallLensAreThoseOfThinRays) {
     };
     for (const auto& [light, expected] : {Case{sun_above(), lux * passed / (thin * thin)},
                                           Case{lamp, 7e6 * passed / (spread * spread)}}) {
-        const Stage stage = ball_lens(light);
+        const CausticStage stage = ball_lens(light);
         const PreparedRig rig(stage.rig);
         for (const int detail : {127, 128}) {
             const Caustics caustics(stage.tracer, stage.materials, rig, spec_of(2, detail));
@@ -229,7 +142,7 @@ TEST(Caustics, UnderARoofThereAreNone) {
     builder.face(test::sphere({0, 0, ball_height}, ball_radius));
     builder.face({test::rectangle(-500, 500, -500, 500, 2500)});
     builder.face({test::rectangle(-400, 400, -400, 400, 0)});
-    Stage stage(builder.model(), clear_glass(index));
+    CausticStage stage(builder.model(), clear_glass(index));
     stage.rig.sources = {sun_above()};
     const PreparedRig rig(stage.rig);
     stage.materials[1] = stage.materials.back();
@@ -240,7 +153,7 @@ TEST(Caustics, UnderARoofThereAreNone) {
 
 /// Without windows the sun's light is what arrives at the scene: fog dims it only behind the ball.
 TEST(Caustics, FogDimsSunlightFromTheFirstSurfaceOn) {
-    Stage stage = ball_lens(sun_above());
+    CausticStage stage = ball_lens(sun_above());
     const PreparedRig clear(stage.rig);
     const Vec3 p(3.1, 0, 0);
     const double before =
@@ -260,7 +173,7 @@ TEST(Caustics, FogDimsSunlightFromTheFirstSurfaceOn) {
 /// All that leaves the ball downwards arrives, without that of cells over the ball's outline, and
 /// footprints share it out.
 TEST(Caustics, LightIsNeitherLostNorAdded) {
-    const Stage stage = ball_lens(sun_above());
+    const CausticStage stage = ball_lens(sun_above());
     const PreparedRig rig(stage.rig);
     const auto landed = [](double b) {
         const Thrown ray = thrown(b);
@@ -297,7 +210,7 @@ TEST(Caustics, LightIsNeitherLostNorAdded) {
 TEST(Caustics, OfAPointThroughAbsorbingGlassAreThoseOfPhotons) {
     const PointSource lamp{.position = {90, 40, 320}, .intensity = Rgb(100)};
     const double absorption = 0.004;
-    const Stage stage = ball_lens(lamp, absorption);
+    const CausticStage stage = ball_lens(lamp, absorption);
     const PreparedRig rig(stage.rig);
     const Caustics caustics(stage.tracer, stage.materials, rig, spec_of(2));
     const Vec3 center(0, 0, ball_height), way = center - lamp.position;
@@ -346,7 +259,8 @@ TEST(Caustics, OfAPointThroughAbsorbingGlassAreThoseOfPhotons) {
 }
 
 TEST(Caustics, AreTheSameForAnyNumberOfThreads) {
-    const Stage stage = ball_lens(Spotlight{.position = {50, 0, 400}, .aim = {0, 0, ball_height}});
+    const CausticStage stage =
+        ball_lens(Spotlight{.position = {50, 0, 400}, .aim = {0, 0, ball_height}});
     const PreparedRig rig(stage.rig);
     const auto lux_with = [&](int threads) {
         const Caustics caustics(stage.tracer, stage.materials, rig, spec_of(4, 40),
@@ -364,7 +278,7 @@ TEST(Caustics, OfALampAmongItsMirrorsComeFromAllSides) {
     test::ShapeBuilder builder;
     builder.face(test::cylinder(radius, wall));
     builder.face({test::rectangle(-400, 400, -400, 400, 0)});
-    Stage stage(builder.model(), perfect_mirror());
+    CausticStage stage(builder.model(), perfect_mirror());
     stage.rig.sources = {PointSource{.position = {0, 0, 100}, .intensity = Rgb(10)}};
     const PreparedRig rig(stage.rig);
     const Caustics caustics(stage.tracer, stage.materials, rig, spec_of(1));
@@ -380,44 +294,6 @@ TEST(Caustics, OfALampAmongItsMirrorsComeFromAllSides) {
             }
             EXPECT_NEAR(caustics.at(stage.piece(p))[0].g, expected, 1e-6 * expected) << p;
         }
-}
-
-/// A picture from above has the light of the beams, and shadow instead of what went straight on.
-TEST(CausticPicture, HasTheLightOfTheBeamsAndNoOtherBehindGlass) {
-    const Stage stage = ball_lens(sun_above());
-    const Occluders occluders(stage.model, stage.tracer.without({true, false}));
-    Camera camera;
-    camera.projection = Projection::orthographic, camera.orthographic_height = 200;
-    camera.eye = {0, -500, 400}, camera.target = {0, 0, 0}, camera.up = {0, 0, 1};
-    camera.width = 80, camera.height = 80;
-    const auto picture = [&](const std::optional<CausticSpec>& spec) {
-        return render({stage.tracer, stage.materials, stage.rig, Rgb(0), &occluders, nullptr, spec},
-                      camera, {.aovs = {Aov::illuminance}, .edge_samples = 1});
-    };
-    const Film without = picture({}), with = picture(spec_of(2));
-    double brightest = 0, straight = 0;
-    int compared = 0;
-    for (int y = 0; y < 80; y += 2)
-        for (int x = 0; x < 80; x += 2) {
-            const Ray ray = camera.ray(x + 0.5, y + 0.5);
-            const auto hit = stage.tracer.nearest(ray);
-            if (!hit || hit->face != stage.floor()) continue;
-            const double lit = with.aovs.at(Aov::illuminance).pixel(x, y)[0];
-            const double rho = std::hypot(hit->position.x, hit->position.y);
-            brightest = std::max(brightest, lit);
-            if (rho < 0.9 * ball_radius)
-                straight =
-                    std::max<double>(straight, without.aovs.at(Aov::illuminance).pixel(x, y)[0]);
-            // At a distance from the focus, and from the border of the shadow.
-            if (rho < 30 || std::abs(rho / ball_radius - 1) < 0.1) continue;
-            const double expected = under_ball(rho) + (rho > ball_radius ? lux : 0);
-            EXPECT_NEAR(lit, expected, 0.01 * expected + 1) << rho;
-            ++compared;
-        }
-    EXPECT_GT(compared, 500);
-    EXPECT_LT(straight, 0.95 * lux);
-    EXPECT_GT(straight, 0.3 * lux) << "glass dims, where no caustics are asked for";
-    EXPECT_GT(brightest, 2 * lux);
 }
 
 } // namespace keiko
