@@ -66,7 +66,11 @@ TEST(AreaTables, BadPanelsAreNamed) {
     EXPECT_EQ(rig_error(head + "[[polygon]]\n"), "bad.toml:2:1: polygon[0]: 'corners' is missing");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0]]\n"), at + "must be at least 3 corners");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0], [1, 1, 0]]\n"),
-              at + "must be arrays of 3 numbers");
+              at + "must be arrays of 3 numbers, corner 2 is not");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [1, nan, 0]]\n"),
+              at + "must be a finite number (number 2 of array 3)");
+    EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 1e30], [1, 1, 0]]\n"),
+              at + "must be at least -1e+09 and at most 1e+09, is 1e+30 (number 3 of array 2)");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [2, 0, 0]]\n"),
               at + "enclose no area: they lie on a line, or sides cross");
     EXPECT_EQ(rig_error(corners + "[[0, 0, 0], [1, 0, 0], [1, 1, 0.1], [0, 1, 0]]\n"),

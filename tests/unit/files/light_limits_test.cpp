@@ -38,7 +38,7 @@ TEST(LightLimits, PlacesBeyondAThousandKilometresAreRefused) {
     EXPECT_EQ(refused("[sun]\ndirection = [0, 0, -1e155]\nilluminance = 1\n"),
               "sun.direction" + allowed + "-1e+155");
     EXPECT_EQ(refused(sun + "[[window]]\ncorners = [[0, 0, 0], [0, 1, 0], [0, 0, 1e99]]\n"),
-              "window[0].corners" + allowed + "1e+99");
+              "window[0].corners" + allowed + "1e+99 (number 3 of array 3)");
     EXPECT_EQ(refused(fog + "layer = { height = 1e12, extinction_above = 0 }\n"),
               "fog.layer.height" + allowed + "1e+12");
     EXPECT_EQ(refused("[[c_plane]]\norigin = [1e9, -1e9, 0]\nu = [1, 0, 0]\nv = [0, 1e9, 0]\n"),
@@ -98,7 +98,7 @@ TEST(LightLimits, LightBeyondAllLampsIsRefusedByTheKeyThatHoldsIt) {
               "sun.illuminance" + allowed);
     EXPECT_EQ(refused("ambient = 1e16\n"), "ambient" + allowed);
     EXPECT_EQ(refused(spot + "edge = \"table\"\ntable = { theta = [0], values = [[1e16]] }\n"),
-              "spotlight[0].table.values: must be at most 1e+15, is 1e+16");
+              "spotlight[0].table.values: must be at most 1e+15, is 1e+16 (number 1 of array 1)");
     EXPECT_EQ(refused(spot + "edge = \"polynomial\"\ncoefficients = [-1e16]\n"),
               "spotlight[0].coefficients: must be at least -1e+15 and at most 1e+15, is -1e+16");
     EXPECT_EQ(refused(spot + "[fog]\nextinction = 1e7\n"),

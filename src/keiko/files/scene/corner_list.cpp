@@ -111,7 +111,9 @@ std::vector<Vec3> corners_from(const TomlTable& table) {
     std::vector<Vec3> corners;
     for (const auto& corner :
          table.required("corners", table.lists("corners", TomlLimits::place()))) {
-        if (corner.size() != 3) throw table.error("corners", "must be arrays of 3 numbers");
+        if (corner.size() != 3)
+            throw table.error("corners", "must be arrays of 3 numbers, corner " +
+                                             std::to_string(corners.size() + 1) + " is not");
         corners.emplace_back(corner[0], corner[1], corner[2]);
     }
     return corners;

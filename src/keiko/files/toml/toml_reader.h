@@ -138,9 +138,12 @@ private:
     std::string path_of(std::string_view key) const;
     Error unknown(const TomlEntry& entry, std::span<const std::string> known) const;
     Error mismatch(std::string_view key, const std::string& wanted) const;
-    double checked(std::string_view key, const TomlValue& value, const TomlLimits& limits) const;
+    /// `which`: ends the message; `of`: names the array among several, as the message of a number
+    /// in it does.
+    double checked(std::string_view key, const TomlValue& value, const TomlLimits& limits,
+                   const std::string& which = {}) const;
     std::vector<double> checked_list(std::string_view key, const TomlValue& value,
-                                     const TomlLimits& limits) const;
+                                     const TomlLimits& limits, const std::string& of = {}) const;
 
     std::shared_ptr<const TomlDocument> document_; ///< keeps value_ alive
     const TomlValue* value_;

@@ -18,13 +18,13 @@ void refuse_nul(const TomlTable& table, std::string_view key, const std::string&
 
 } // namespace
 
-double TomlTable::checked(std::string_view key, const TomlValue& value,
-                          const TomlLimits& limits) const {
+double TomlTable::checked(std::string_view key, const TomlValue& value, const TomlLimits& limits,
+                          const std::string& which) const {
     const auto* whole = std::get_if<std::int64_t>(&value.content);
     const auto* real = std::get_if<double>(&value.content);
-    if (!whole && !real) throw mismatch(key, "a number");
+    if (!whole && !real) throw error(key, "must be a number" + which);
     const double number = whole ? static_cast<double>(*whole) : *real;
-    if (!std::isfinite(number)) throw error(key, "must be a finite number");
+    if (!std::isfinite(number)) throw error(key, "must be a finite number" + which);
     const bool high_enough = limits.above_low ? number > limits.low : number >= limits.low;
     if (high_enough && number <= limits.high) return number;
     std::string range;
@@ -32,7 +32,7 @@ double TomlTable::checked(std::string_view key, const TomlValue& value,
         range = (limits.above_low ? "above " : "at least ") + toml_number(limits.low);
     if (std::isfinite(limits.high))
         range += (range.empty() ? "" : " and ") + ("at most " + toml_number(limits.high));
-    throw error(key, "must be " + range + ", is " + toml_number(number));
+    throw error(key, "must be " + range + ", is " + toml_number(number) + which);
 }
 
 std::optional<double> TomlTable::number(std::string_view key, const TomlLimits& limits) const {
@@ -84,11 +84,14 @@ std::optional<std::vector<double>> TomlTable::numbers(std::string_view key, std:
 }
 
 std::vector<double> TomlTable::checked_list(std::string_view key, const TomlValue& value,
-                                            const TomlLimits& limits) const {
+                                            const TomlLimits& limits, const std::string& of) const {
     const auto* array = std::get_if<std::vector<TomlValue>>(&value.content);
     if (!array || array->empty()) throw mismatch(key, "an array of numbers");
     std::vector<double> result;
-    for (const TomlValue& element : *array) result.push_back(checked(key, element, limits));
+    for (const TomlValue& element : *array) {
+        const std::string which = " (number " + std::to_string(result.size() + 1) + of + ')';
+        result.push_back(checked(key, element, limits, of.empty() ? of : which));
+    }
     return result;
 }
 
@@ -106,7 +109,9 @@ std::optional<std::vector<std::vector<double>>> TomlTable::lists(std::string_vie
     const auto* array = std::get_if<std::vector<TomlValue>>(&entry->value.content);
     if (!array || array->empty()) throw mismatch(key, "an array of arrays of numbers");
     std::vector<std::vector<double>> result;
-    for (const TomlValue& value : *array) result.push_back(checked_list(key, value, limits));
+    for (const TomlValue& value : *array)
+        result.push_back(
+            checked_list(key, value, limits, " of array " + std::to_string(result.size() + 1)));
     return result;
 }
 
