@@ -1,5 +1,6 @@
 #pragma once
 
+#include "keiko/geometry/model/outward_side.h"
 #include "keiko/geometry/model/surface_model.h"
 #include "keiko/maps/environment.h"
 #include "keiko/maps/surface_maps.h"
@@ -52,8 +53,8 @@ public:
     /// face, else -1.
     double outward_side(std::uint32_t instance, std::uint32_t patch, std::uint32_t face,
                         const Vec2& uv) const {
-        const bool inwards = parameters_.is_turned(patch, uv) != reversed_[face];
-        return inwards == mirrored_[instance] ? 1 : -1;
+        return keiko::outward_side(parameters_.is_turned(patch, uv), reversed_[face],
+                                   mirrored_[instance]);
     }
     /// Maps of a face; null without any.
     const SurfaceMaps* of_face(std::uint32_t face) const { return of_face_[face].get(); }
