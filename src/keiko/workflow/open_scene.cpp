@@ -89,12 +89,15 @@ void Scene::set_picture_size(int wide, int high) {
 
 namespace {
 
-/// Prepares the maps of a scene's materials and its surroundings, if it has any.
+/// Prepares the maps of a scene's materials and its surroundings, if it has any, or the sides of
+/// faces that emit light.
 void take_maps(Scene& scene, const std::optional<EnvironmentSpec>& environment) {
     const std::vector<Material>& materials = scene.seen_materials();
-    const auto has_maps = [](const Material& material) { return !material.maps.empty(); };
+    const auto needs_sides = [](const Material& material) {
+        return !material.maps.empty() || material.emits != Rgb(0);
+    };
     scene.maps.reset();
-    if (environment || std::any_of(materials.begin(), materials.end(), has_maps))
+    if (environment || std::any_of(materials.begin(), materials.end(), needs_sides))
         scene.maps = std::make_shared<const SceneMaps>(materials, scene.model, environment);
 }
 

@@ -1,6 +1,7 @@
 #include "keiko/light/areas/area_irradiance.h"
 #include "keiko/light/luminance/fresnel.h"
 #include "keiko/light/rig/rig_areas.h"
+#include "keiko/maps/scene_maps.h"
 #include "keiko/visibility/query/occluders.h"
 
 #include "tests/unit/render/stage.h"
@@ -116,6 +117,33 @@ TEST(AreaPicture, EmittingMaterialShowsItsLuminance) {
     const double dark = green(stage.render(), 48, 27);
     for (Material& material : stage.materials) material.emits = Rgb(30, 40, 50);
     EXPECT_NEAR(green(stage.render(), 48, 27), dark + 40, 1e-4);
+}
+
+/// Sheets shine to the side of their normal alone, unless both ways: to cameras as to other bodies.
+TEST(AreaPicture, EmittingSheetIsDarkFromBehind) {
+    for (const bool both_ways : {false, true})
+        for (const bool reversed : {false, true}) {
+            Stage stage(flat_plate());
+            stage.rig.sources.clear();
+            stage.model.faces.front().reversed = reversed;
+            for (Material& material : stage.materials) {
+                material.emits = Rgb(30, 40, 50);
+                material.emits_both_ways = both_ways;
+            }
+            const SceneMaps sides(stage.materials, stage.model);
+            for (const double height : {1500.0, -1500.0}) {
+                stage.camera.eye.z = height;
+                const PictureScene scene{stage.tracer, stage.materials, stage.rig,
+                                         Rgb(7),       nullptr,         &sides};
+                const double seen = green(render(scene, stage.camera, {}), 48, 27);
+                for (Material& material : stage.materials) material.emits = Rgb(0);
+                const double dark = green(render(scene, stage.camera, {}), 48, 27);
+                for (Material& material : stage.materials) material.emits = Rgb(30, 40, 50);
+                const bool shines = both_ways || (height > 0) != reversed;
+                EXPECT_NEAR(seen, dark + (shines ? 40 : 0), 1e-4)
+                    << both_ways << reversed << height;
+            }
+        }
 }
 
 /// A body's face stands for it.

@@ -102,7 +102,8 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     const std::uint32_t paint = paint_of_face_[met.hit->face];
     std::shared_ptr<const MappedPaint> mapped;
     if (maps_.has(met.hit->face)) mapped = maps_.paint(paints_[paint], met.ray, *met.hit);
-    sample.luminance += path.weight * (mapped ? mapped->paint : paints_[paint]).emitted();
+    if (maps_.shines(met.ray, *met.hit))
+        sample.luminance += path.weight * (mapped ? mapped->paint : paints_[paint]).emitted();
     if (takes_light(paint, path.branch)) {
         view.points.push_back(shading_point_at(path, met));
         view.points.back().mapped = mapped;

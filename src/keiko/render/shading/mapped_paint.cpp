@@ -39,9 +39,8 @@ Vec3 bounded(const Vec3& step) {
 
 MapPlace MappedHits::place_of(const Ray& ray, const Hit& hit) const {
     MapPlace place{hit.position, hit.normal};
-    const double along = hit.normal.dot(ray.direction);
-    if (along > 0) place.normal = -hit.normal;
-    place.from_inside = along * maps_->outward_side(hit.instance, hit.patch, hit.face, hit.uv) > 0;
+    if (hit.normal.dot(ray.direction) > 0) place.normal = -hit.normal;
+    place.from_inside = is_from_inside(ray, hit);
     place.parameters = maps_->parameters().at(hit.patch, hit.uv, hit.dpdu, hit.dpdv);
     if (!ray.differentials) return place;
     const RayDifferentials& d = *ray.differentials;
@@ -57,10 +56,14 @@ std::shared_ptr<const MappedPaint> MappedHits::paint(const Paint& base, const Ra
     const bool lobes = maps.drives(MappedQuantity::roughness) ||
                        (base.gloss() && maps.drives(MappedQuantity::gloss));
     const MapPlace place = place_of(ray, hit);
-    MapValues values = maps.values(place);
-    if (place.from_inside && !materials_[hit.face].emits_both_ways) values.emission = Rgb(0);
     return std::make_shared<const MappedPaint>(
-        MappedPaint{base.varied(materials_[hit.face], values), bends || lobes});
+        MappedPaint{base.varied(materials_[hit.face], maps.values(place)), bends || lobes});
+}
+
+bool MappedHits::shines(const Ray& ray, const Hit& hit) const {
+    const Material& material = materials_[hit.face];
+    if (material.emits == Rgb(0)) return false;
+    return !maps_ || material.emits_both_ways || !is_from_inside(ray, hit);
 }
 
 void MappedHits::bend(const Ray& ray, Hit& hit) const {

@@ -38,6 +38,9 @@ public:
     /// Paint at a ray's hit on a face with maps; `base` is that of its material.
     std::shared_ptr<const MappedPaint> paint(const Paint& base, const Ray& ray,
                                              const Hit& hit) const;
+    /// True if the material at a ray's hit emits its light to this side: faces shine outwards,
+    /// unless both ways. Where the scene has no maps sides are unknown, and all shine.
+    bool shines(const Ray& ray, const Hit& hit) const;
     /// Turns the normal of a hit on a face with maps, and adds the curvature of heights. The normal
     /// stays on the side of the ray, and what it mirrors above the surface: heights that would not
     /// allow it count less.
@@ -45,6 +48,11 @@ public:
 
 private:
     MapPlace place_of(const Ray& ray, const Hit& hit) const;
+    bool is_from_inside(const Ray& ray, const Hit& hit) const {
+        return hit.normal.dot(ray.direction) *
+                   maps_->outward_side(hit.instance, hit.patch, hit.face, hit.uv) >
+               0;
+    }
 
     const SceneMaps* maps_;
     std::span<const Material> materials_;
