@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace keiko {
@@ -92,6 +93,26 @@ std::vector<Vec2> projected(const std::vector<Vec3>& corners, const PlaneAxes& p
     return places;
 }
 
+/// Depth, mm along a unit direction from the point, of the place of an outline before the point
+/// that is nearest to that ray; nullopt without any.
+std::optional<double> depth_of_nearest(const std::vector<Vec3>& outline, const Vec3& ahead) {
+    std::optional<double> depth;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < outline.size(); ++i) {
+        const Vec3 &a = outline[i], &b = outline[(i + 1) % outline.size()];
+        const double to_a = ahead.dot(a), to_b = ahead.dot(b);
+        if (!(to_a > 0 && to_b > 0)) continue;
+        const Vec3 from = a / to_a - ahead, side = b / to_b - ahead - from;
+        const double length2 = side.length2();
+        const double share = length2 > 0 ? std::clamp(-from.dot(side) / length2, 0.0, 1.0) : 0.0;
+        const double off = (from + side * share).length2();
+        if (!(off < least)) continue;
+        least = off;
+        depth = 1 / ((1 - share) / to_a + share / to_b);
+    }
+    return depth;
+}
+
 } // namespace
 
 std::optional<AreaHit> area_hit(const DiscLight& light, const Vec3& origin, const Vec3& direction,
@@ -133,7 +154,10 @@ std::optional<AreaHit> area_hit(const FrustumLight& light, const Vec3& origin,
     const double off = square_to(around.center - origin, ahead).length();
     if (!entry && off > around.radius + foot->reach()) return std::nullopt;
     const std::vector<Vec3> outline = outline_of(*view, of_pixel * foot->reach());
-    return hit_of(t, share_in_polygon(*foot, projected(outline, plane, ahead, depth)));
+    const double share = share_in_polygon(*foot, projected(outline, plane, ahead, depth));
+    if (entry) return hit_of(t, share);
+    // Beside the surface its edge is what the pixel holds of it, as another face does there.
+    return hit_of(depth_of_nearest(outline, ahead).value_or(depth) / direction.length(), share);
 }
 
 } // namespace keiko

@@ -4,6 +4,7 @@
 #include "keiko/light/luminance/flush.h"
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace keiko {
@@ -49,23 +50,48 @@ std::vector<Vec3> places_on(const PolygonLight& light) {
     return places;
 }
 
-/// Difference of t below which two lights meet within a pixel: that of its footprint on a surface
-/// at 76 degrees to the ray.
-double meeting_range(const RayDifferentials& spread, const Vec3& direction, double t) {
+/// Tangent of the angle between a ray and the normal of a flat light; 0 for any other.
+double slant(const PanelOutline& panel, const Vec3& direction) {
+    const double along = std::abs(panel.plane.normal.dot(direction));
+    return square_to(direction, panel.plane.normal).length() / along;
+}
+double slant(const DiscLight& disc, const Vec3& direction) {
+    const double along = std::abs(disc.normal.dot(direction));
+    return square_to(direction, disc.normal).length() / along;
+}
+template <class Shape>
+double slant(const Shape& /*shape*/, const Vec3& /*direction*/) {
+    return 0;
+}
+
+/// Width of a pixel at t, in lengths of the ray's direction.
+double width_at(const RayDifferentials& spread, const Vec3& direction, double t) {
     const Vec3 across = spread.origin_dx + spread.direction_dx * t;
     const Vec3 up = spread.origin_dy + spread.direction_dy * t;
-    return 4 * std::max(across.length(), up.length()) / direction.length();
+    return std::max(across.length(), up.length()) / direction.length();
 }
+
+/// Difference of t that a light takes up within a pixel of a width: that of a surface at 76 degrees
+/// to the ray, or of a flat light that is more aslant. It has no more than it has in all.
+double depth_within(double width, double slant, double most) {
+    constexpr double at_least = 4;
+    return std::max(at_least * width, std::min(slant * width, most));
+}
+
+/// A light along a ray, and how much of t it takes up within a pixel.
+struct DeepLayer {
+    RigAreas::Layer layer;
+    double depth;
+};
 
 /// Faces of one lamp meet at an edge: there each covers a part of the pixel that the other leaves.
 /// A layer's share of what those before it leave is made so large that it covers its own part.
-void join_at_edges(std::vector<RigAreas::Layer>& layers, const Vec3& direction,
-                   const RayDifferentials& spread) {
+void join_at_edges(std::vector<DeepLayer>& layers) {
     double covered = 0; // by the layers that meet the last one
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        AreaHit& hit = layers[i].hit;
-        const bool meets =
-            i > 0 && hit.t - layers[i - 1].hit.t <= meeting_range(spread, direction, hit.t);
+        AreaHit& hit = layers[i].layer.hit;
+        const bool meets = i > 0 && hit.t - layers[i - 1].layer.hit.t <=
+                                        std::max(layers[i].depth, layers[i - 1].depth);
         if (!meets) covered = 0;
         const double own = hit.coverage;
         hit.coverage = covered < 1 ? std::min(own / (1 - covered), 1.0) : 0;
@@ -90,16 +116,30 @@ RigAreas::RigAreas(const LightRig& rig) {
 std::vector<RigAreas::Layer> RigAreas::along(const Vec3& origin, const Vec3& direction,
                                              const std::optional<RayDifferentials>& spread,
                                              double t_max) const {
-    std::vector<Layer> layers;
+    std::vector<DeepLayer> deep;
     for (std::size_t i = 0; i < areas_.size(); ++i) {
+        const Area& area = areas_[i];
         const auto hit = std::visit(
             [&](const auto& shape) { return area_hit(shape, origin, direction, spread); },
-            areas_[i].shape);
-        if (hit && hit->t * (1 - flush) < t_max) layers.push_back({*hit, areas_[i].luminance, i});
+            area.shape);
+        if (!hit || !(hit->t * (1 - flush) < t_max)) continue;
+        deep.push_back({{*hit, area.luminance, i}, 0});
+        if (spread)
+            deep.back().depth = std::visit(
+                [&](const auto& shape) {
+                    return depth_within(width_at(*spread, direction, hit->t),
+                                        slant(shape, direction),
+                                        area.box.size() / direction.length());
+                },
+                area.shape);
     }
-    std::stable_sort(layers.begin(), layers.end(),
-                     [](const Layer& a, const Layer& b) { return a.hit.t < b.hit.t; });
-    if (spread) join_at_edges(layers, direction, *spread);
+    std::stable_sort(deep.begin(), deep.end(), [](const DeepLayer& a, const DeepLayer& b) {
+        return a.layer.hit.t < b.layer.hit.t;
+    });
+    if (spread) join_at_edges(deep);
+    std::vector<Layer> layers;
+    layers.reserve(deep.size());
+    for (const DeepLayer& layer : deep) layers.push_back(layer.layer);
     return layers;
 }
 

@@ -1,11 +1,14 @@
 #include "keiko/light/areas/area_coverage.h"
 
+#include "keiko/light/rig/primitive_lights.h"
 #include "keiko/light/rig/rig_areas.h"
+#include "keiko/math/axes.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 namespace keiko {
 namespace {
@@ -184,6 +187,37 @@ PolygonLight face(double side, double depth) {
 TEST(RigAreas, FacesThatMeetLeaveNothingDark) {
     for (double x = -0.006; x < 0.006; x += 0.001)
         EXPECT_NEAR(dark_share({face(-1, 1000), face(1, 1000)}, {x, 0.01, 1}), 0, 3e-3) << x;
+}
+
+/// The side of a cylinder and its end share the pixels along the rim, seen from any side of it.
+TEST(RigAreas, SideAndEndOfACylinderLeaveNothingDark) {
+    constexpr double of_chords = 8e-3; // rims are chords, to a 500th of the pixel on either side
+    const Vec3 end(-20, 10, 800);
+    for (const Vec3& axis : {Vec3(0.6, -0.3, -0.74), Vec3(1, 0.2, -0.04), Vec3(0.1, 1, -0.1)}) {
+        const Vec3 along = axis.normalized();
+        LightRig rig;
+        rig.sources = lights_of(FrustumShape{end - along * 400, end, 90, 90, false}, Rgb(1));
+        const RigAreas areas(rig);
+        RayDifferentials spread;
+        spread.direction_dx = {0.003, 0, 0}, spread.direction_dy = {0, 0.003, 0};
+        const Vec3 x = any_perpendicular(along).normalized(), y = along.cross(x);
+        int shared = 0;
+        for (int i = 0; i < 360; ++i) {
+            const double turn = i * std::numbers::pi / 180;
+            const Vec3 out = x * std::cos(turn) + y * std::sin(turn), rim = end + out * 90;
+            if (out.dot(end) > -0.8 * square_to(end, along).length())
+                continue; // near the outline, or behind
+            for (const double aside : {-0.001, -0.0003, 0.0003, 0.001}) {
+                const Vec3 direction = rim / rim.z + Vec3(aside, aside / 2, 0);
+                double dark = 1;
+                const auto layers = areas.along(Vec3(0), direction, spread, 1e9);
+                for (const RigAreas::Layer& layer : layers) dark *= 1 - layer.hit.coverage;
+                EXPECT_NEAR(dark, 0, of_chords) << axis << i << ' ' << aside;
+                shared += layers.size() > 1 && layers[0].hit.coverage < 0.9;
+            }
+        }
+        EXPECT_GT(shared, 20) << axis;
+    }
 }
 
 /// Lights at other distances cover a pixel independently of each other.
