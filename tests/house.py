@@ -63,6 +63,7 @@ CHAMBERS = {
         "nets": set(),
         "boundaries": set(),
         "silhouettes": {"nets", "boundaries"},
+        "contours": {"silhouettes"},
         "query": {"silhouettes"},
         "epipolar": {"query"},
     },

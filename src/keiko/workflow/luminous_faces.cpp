@@ -165,6 +165,7 @@ public:
             for (const std::vector<LampFaces>& group : touching(body_, parts, job_)) {
                 // Files may place each face of a body by itself.
                 auto light = group.size() > 1 ? as_body(joined(group)) : std::nullopt;
+                if (!light) light = as_sheets(joined(group));
                 if (light)
                     append(std::move(*light), lights);
                 else
@@ -197,6 +198,17 @@ private:
         if (!light) return std::nullopt;
         lights.emplace_back(std::move(*light));
         return lights;
+    }
+    /// The light of open faces by their contour; nullopt for flat ones, which are exact in panels,
+    /// and for those whose outlines are not known.
+    std::optional<std::vector<LightSource>> as_sheets(const LampFaces& lamp) const {
+        const PlacedModel placed = placed_lamp(body_, lamp);
+        if (is_flat(placed.model)) return std::nullopt;
+        const Material& own = material_of(lamp);
+        const LampSides sides = own.emits_both_ways ? LampSides::both_sides : LampSides::outer_side;
+        auto body = std::make_shared<const TracedLamp>(placed.model, job_, sides);
+        if (!body->has_known_outlines()) return std::nullopt;
+        return std::vector<LightSource>{ContourLight{std::move(body), own.emits}};
     }
     /// nullopt for faces that are no closed body.
     std::optional<ContourLight> by_contour(const SurfaceModel& placed,

@@ -15,6 +15,15 @@ double share_of(const Light& light, const Vec3& point, const Vec3& normal,
     return width ? visible_share(*width, visible, options) : 0;
 }
 
+Prism prism_of(const Box3& box) {
+    Prism prism;
+    for (unsigned i = 0; i < prism.size(); ++i) {
+        const double y = i % 2 ? box.upper.y : box.lower.y, z = i / 2 ? box.upper.z : box.lower.z;
+        prism[i] = {Vec3(box.lower.x, y, z), Vec3(box.upper.x, y, z)};
+    }
+    return prism;
+}
+
 } // namespace
 
 double visible_share(const PolygonLight& light, const Vec3& point, const Vec3& normal,
@@ -44,6 +53,8 @@ double visible_share(const EllipsoidLight& light, const Vec3& point, const Vec3&
 
 double visible_share(const ContourLight& light, const Vec3& point, const Vec3& normal,
                      const Visibility& visible, const WidthOptions& options) {
+    const Prism around = prism_of(light.body->bounds());
+    if (const auto whole = visible.classify_prisms({&around, 1}).front()) return *whole ? 1 : 0;
     double all = 0, seen = 0;
     const std::vector<ContourWidth> widths =
         ContourWidth::all(light, point, normal, options.tolerance);

@@ -23,14 +23,6 @@ std::vector<Vec3> ways_to_corners(const Box3& box, const Vec3& point) {
     return ways;
 }
 
-bool is_far(const Box3& box, const Vec3& point) {
-    const Vec3 view = (box.center() - point).normalized();
-    const std::vector<Vec3> corners = ways_to_corners(box, point);
-    return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
-        return corner.dot(view) > widest * corner.length();
-    });
-}
-
 /// True if a part of a box is above the horizon of a point.
 bool rises(const Box3& box, const Vec3& point, const Vec3& normal) {
     const std::vector<Vec3> corners = ways_to_corners(box, point);
@@ -72,6 +64,14 @@ ParameterInterval common(const ParameterInterval& a, const ParameterInterval& b)
 }
 
 } // namespace
+
+bool ContourView::is_far(const Box3& box, const Vec3& point) {
+    const Vec3 view = (box.center() - point).normalized();
+    const std::vector<Vec3> corners = ways_to_corners(box, point);
+    return std::all_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+        return corner.dot(view) > widest * corner.length();
+    });
+}
 
 std::optional<ContourView> ContourView::within(const LuminousBody& body, const Vec3& point,
                                                const Vec3& ahead, const Vec3& along,

@@ -33,6 +33,8 @@ struct ContourView {
     /// horizon; nullopt if nothing of the body is above the horizon.
     static std::optional<ContourView> one(const LuminousBody& body, const Vec3& point,
                                           const Vec3& normal);
+    /// True if a box appears within 75 degrees of its middle.
+    static bool is_far(const Box3& box, const Vec3& point);
     /// Unit vector across the lines.
     Vec3 across() const { return ahead.cross(along); }
     /// Place on the plane at a wedge angle.

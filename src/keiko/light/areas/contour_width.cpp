@@ -13,8 +13,11 @@ namespace {
 constexpr double pi = std::numbers::pi;
 /// Angle, rad, between places where the contour turns, below which they are one.
 constexpr double one_turn = 1e-9;
-/// Share of a chord that its ends lie within the outline, where rays just meet the body.
+/// Share of a chord that its ends lie within the outline at least, where rays just meet the body.
 constexpr double inside = 1e-6;
+/// Share of a chord that they lie within at most, and of all lines otherwise, as outlines are known
+/// to about that.
+constexpr double most_inside = 0.25, of_lines = 1e-6;
 
 } // namespace
 
@@ -93,27 +96,36 @@ std::vector<double> ContourWidth::turning_angles(double missed) const {
     return angles;
 }
 
+std::vector<double> ContourWidth::lit_angles(std::vector<double> angles) const {
+    while (angles.size() > 1 && is_dark(angles[0], angles[1])) angles.erase(angles.begin());
+    while (angles.size() > 1 && is_dark(angles[angles.size() - 2], angles.back()))
+        angles.pop_back();
+    if (angles.size() < 2) angles.clear();
+    return angles;
+}
+
+bool ContourWidth::parts_change(double before, double at, double after) const {
+    constexpr double beside = 1e-3; // of the way to the neighbours
+    return chords_at(at - beside * (at - before)).size() !=
+           chords_at(at + beside * (after - at)).size();
+}
+
 /// Finds the wedge angles at which the contour turns, as far as there is light between.
 void ContourWidth::find_turns(double error) {
     // Below the first every turn counts, and in pictures where a body leaves most of its view dark.
     constexpr double in_numbers = 1e-4, sparse = 0.1;
     const double share = error < in_numbers ? 0 : share_of_view();
     const bool all_count = share < sparse;
-    const std::vector<double> angles = turning_angles(all_count ? 0 : error * share);
-    std::size_t begin = 0, end = angles.size() - 1;
-    while (begin < end && is_dark(angles[begin], angles[begin + 1])) ++begin;
-    while (begin < end && is_dark(angles[end - 1], angles[end])) --end;
+    const std::vector<double> angles = lit_angles(turning_angles(all_count ? 0 : error * share));
+    if (angles.empty()) return;
     // In pictures some turns suffice: rules halve the width where others matter.
-    const double apart = all_count ? 0 : 0.08 * (angles[end] - angles[begin]);
-    const auto changes_count = [&](std::size_t i) { // where a part of the body begins or ends
-        constexpr double beside = 1e-3;
-        const double at = angles[i], before = at - angles[i - 1], after = angles[i + 1] - at;
-        return chords_at(at - beside * before).size() != chords_at(at + beside * after).size();
-    };
-    for (std::size_t i = begin; i < end; ++i)
-        if (turns_.empty() || angles[i] - turns_.back() >= apart || changes_count(i))
+    const double apart = all_count ? 0 : 0.08 * (angles.back() - angles.front());
+    turns_.push_back(angles.front());
+    for (std::size_t i = 1; i + 1 < angles.size(); ++i)
+        if (angles[i] - turns_.back() >= apart ||
+            parts_change(angles[i - 1], angles[i], angles[i + 1]))
             turns_.push_back(angles[i]);
-    if (begin < end) turns_.push_back(angles[end]);
+    turns_.push_back(angles.back());
 }
 
 std::vector<double> ContourWidth::cuts() const {
@@ -210,10 +222,12 @@ IntervalSet ContourWidth::visible_on(const Segment& line, const Visibility& othe
     constexpr int most_halvings = 4;
     const Vec3 way = line.a - point();
     const double v = distance() * way.dot(view_.across()) / way.dot(view_.ahead);
-    const double from = u_of(line.a), length = u_of(line.b) - from;
+    const double from = u_of(line.a), whole = u_of(line.b) - from;
     std::vector<ParameterInterval> hidden;
     for (const ParameterInterval& chord : chords(v)) {
-        const double inset = inside * chord.length();
+        const double length = chord.length();
+        const double inset =
+            std::clamp(of_lines * extent().length(), inside * length, most_inside * length);
         std::vector<Segment> pieces;
         add_pieces(front(way_to(chord.begin + inset, v)), front(way_to(chord.end - inset, v)), v,
                    most_halvings, pieces);
@@ -223,8 +237,8 @@ IntervalSet ContourWidth::visible_on(const Segment& line, const Visibility& othe
                 const bool begins = i == 0 && dark.begin == 0;
                 const bool ends = i + 1 == pieces.size() && dark.end == 1;
                 hidden.push_back(
-                    {((begins ? chord.begin : u_of(pieces[i].at(dark.begin))) - from) / length,
-                     ((ends ? chord.end : u_of(pieces[i].at(dark.end))) - from) / length});
+                    {((begins ? chord.begin : u_of(pieces[i].at(dark.begin))) - from) / whole,
+                     ((ends ? chord.end : u_of(pieces[i].at(dark.end))) - from) / whole});
             }
     }
     return IntervalSet(std::move(hidden)).complement();

@@ -51,6 +51,10 @@ private:
     /// Wedge angles between the limits of the view where the contour turns, with these, rising.
     /// `missed`: as in TurnRule.
     std::vector<double> turning_angles(double missed) const;
+    /// The rising wedge angles of these that have light between them; none, or two at least.
+    std::vector<double> lit_angles(std::vector<double> angles) const;
+    /// True if a part of the body begins or ends at a wedge angle between others.
+    bool parts_change(double before, double at, double after) const;
     /// True if none of a few lines between two wedge angles meets the body.
     bool is_dark(double begin, double end) const;
     /// Share of the view that the body fills, estimated from a few lines.

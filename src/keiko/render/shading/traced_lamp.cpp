@@ -64,11 +64,20 @@ std::vector<Ray> rays_through_faces(const SurfaceModel& model, double size) {
 
 } // namespace
 
-TracedLamp::TracedLamp(SurfaceModel model, const Job& job)
-    : model_(std::move(model)), occluders_(model_, Tracer(model_, {}, job), job) {}
+TracedLamp::TracedLamp(SurfaceModel model, const Job& job, LampSides sides)
+    : model_(std::move(model)),
+      sides_(sides),
+      occluders_(model_, Tracer(model_, {}, job), job),
+      contour_(model_, job) {}
 
 std::unique_ptr<Visibility> TracedLamp::outline_from(const Vec3& point,
                                                      std::vector<Vec3> region) const {
+    // Of quadrics arcs are exact; of other surfaces each halving makes an arc 16 times better.
+    constexpr double outline_error = 1e-6;
+    if (contour_.is_known())
+        return std::make_unique<LampOutline>(
+            point, contour_.arcs_from(point, outline_error), sides_,
+            [this, point](const Vec3& way) { return sides_along(point, way); }, bounds());
     return std::make_unique<OccludedVisibility>(&occluders_, occluders_.tracer(),
                                                 Viewpoint::at(point), std::move(region));
 }
@@ -78,8 +87,15 @@ std::optional<double> TracedLamp::distance(const Vec3& origin, const Vec3& direc
     return hit ? std::optional(hit->t) : std::nullopt;
 }
 
+std::vector<bool> TracedLamp::sides_along(const Vec3& point, const Vec3& direction) const {
+    const Ray ray{.origin = point, .direction = direction};
+    std::vector<bool> sides;
+    for (const Hit& hit : occluders_.tracer().all(ray)) sides.push_back(enters(model_, ray, hit));
+    return sides;
+}
+
 bool TracedLamp::contains(const Vec3& point) const {
-    if (!bounds().contains(point)) return false;
+    if (sides_ != LampSides::of_solid || !bounds().contains(point)) return false;
     const Ray ray{.origin = point, .direction = Vec3(0.267, 0.535, 0.802)}; // aslant to any axis
     const auto hit = occluders_.tracer().nearest(ray);
     return hit && !enters(model_, ray, *hit);
@@ -96,7 +112,7 @@ Vec3 TracedLamp::in_front(const Vec3& point, const Vec3& normal) const {
 std::shared_ptr<const LuminousBody> TracedLamp::moved(const Affine& motion) const {
     SurfaceModel model = model_;
     for (Instance& instance : model.instances) instance.transform = motion * instance.transform;
-    return std::make_shared<const TracedLamp>(std::move(model));
+    return std::make_shared<const TracedLamp>(std::move(model), Job{}, sides_);
 }
 
 bool TracedLamp::is_closed(const Job& job) const {

@@ -1,0 +1,105 @@
+// Luminous sheets by their contour, held against closed forms and rays.
+#include "keiko/geometry/model/outward_side.h"
+#include "keiko/geometry/model/primitive.h"
+#include "keiko/light/areas/area_irradiance.h"
+#include "keiko/math/axes.h"
+#include "keiko/render/shading/traced_lamp.h"
+
+#include "tests/support/random.h"
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace keiko {
+namespace {
+
+using std::numbers::pi;
+
+ContourLight lamp_of(SurfaceModel model, LampSides sides) {
+    return {std::make_shared<const TracedLamp>(std::move(model), Job{}, sides), Rgb(1)};
+}
+
+/// The lower half of an ellipsoid's patches: an open bowl.
+SurfaceModel bowl() {
+    SurfaceModel egg = primitive_model(
+        EllipsoidShape{{0, 0, 600}, {250, 0, 0}, {0, 0, 150}, {0, -200, 30}}, "bowl");
+    std::erase_if(egg.patches, [](const Patch& patch) { return patch.map_u.begin >= 3; });
+    egg.faces[0].patch_count = static_cast<std::uint32_t>(egg.patches.size());
+    return egg;
+}
+
+/// Projected solid angle by rays in the strata of a hemisphere, cosine-weighted.
+double by_rays(const SurfaceModel& model, bool both, const Vec3& point, const Vec3& normal) {
+    constexpr int side = 400;
+    const Tracer tracer(model);
+    const Vec3 x = any_perpendicular(normal).normalized(), y = normal.cross(x);
+    int lit = 0;
+    for (int i = 0; i < side; ++i)
+        for (int k = 0; k < side; ++k) {
+            const double sine = std::sqrt((i + 0.5) / side), turn = 2 * pi * (k + 0.5) / side;
+            const Ray ray{.origin = point,
+                          .direction = (x * std::cos(turn) + y * std::sin(turn)) * sine +
+                                       normal * std::sqrt(1 - sine * sine)};
+            const auto hit = tracer.nearest(ray);
+            lit += hit && (both || hit->normal.dot(ray.direction) *
+                                           outward_side(model, hit->instance, hit->patch, hit->uv) <
+                                       0);
+        }
+    return pi * lit / (side * side);
+}
+
+/// The inner side of a pipe is dark, and hides nothing of its outer side.
+TEST(LuminousSheets, OuterSideOfAPipeHasTheClosedForm) {
+    test::Random random(11);
+    for (int i = 0; i < 40; ++i) {
+        const Vec3 center = test::random_direction(random) * test::uniform(random, 700, 2500);
+        const Vec3 along = test::random_direction(random) * test::uniform(random, 50, 500);
+        const double radius = test::uniform(random, 20, 200);
+        const double other = i % 2 ? radius : test::uniform(random, 20, 200);
+        const Vec3 normal = test::random_direction(random);
+        const FrustumShape pipe{center - along, center + along, radius, other, true};
+        const FrustumLight side{pipe.from, pipe.to, radius, other, Rgb(1)};
+        const ContourLight light = lamp_of(primitive_model(pipe, "pipe"), LampSides::outer_side);
+        EXPECT_NEAR(projected_solid_angle(light, Vec3(0), normal),
+                    projected_solid_angle(side, Vec3(0), normal), 2e-6 * pi)
+            << i;
+    }
+}
+
+/// Through the open end of a pipe its inner side is seen, which fills what a lid would.
+TEST(LuminousSheets, PipeThatShinesBothWaysFillsItsEnds) {
+    const FrustumShape can{{100, -300, 900}, {-80, 300, 700}, 60, 90, false};
+    FrustumShape pipe = can;
+    pipe.open = true;
+    const ContourLight closed = lamp_of(primitive_model(can, "can"), LampSides::of_solid);
+    const ContourLight open = lamp_of(primitive_model(pipe, "pipe"), LampSides::both_sides);
+    for (const Vec3& point : {Vec3(0), Vec3(-700, 200, 100), Vec3(300, 0, 400)})
+        EXPECT_NEAR(projected_solid_angle(open, point, {0, 0, 1}),
+                    projected_solid_angle(closed, point, {0, 0, 1}), 2e-6);
+}
+
+/// From below, from above, from aside and from within.
+TEST(LuminousSheets, BowlsShineToTheirSidesAsRaysFind) {
+    const std::array<Vec3, 5> points{Vec3(30, 40, 0), Vec3(100, 0, 1200), Vec3(900, -300, 650),
+                                     Vec3(-400, 500, 480), Vec3(20, -10, 590)};
+    for (const bool reversed : {false, true}) {
+        SurfaceModel model = bowl();
+        model.faces[0].reversed = reversed;
+        const ContourLight outer = lamp_of(model, LampSides::outer_side);
+        const ContourLight both = lamp_of(model, LampSides::both_sides);
+        for (const Vec3& point : points)
+            for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(-0.36, 0.48, -0.8)}) {
+                EXPECT_NEAR(projected_solid_angle(outer, point, normal),
+                            by_rays(model, false, point, normal), 4e-3)
+                    << reversed << point << normal;
+                EXPECT_NEAR(projected_solid_angle(both, point, normal),
+                            by_rays(model, true, point, normal), 4e-3)
+                    << reversed << point << normal;
+            }
+    }
+}
+
+} // namespace
+} // namespace keiko
