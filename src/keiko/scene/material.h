@@ -5,6 +5,7 @@
 #include "keiko/math/rgb.h"
 #include "keiko/scene/material_map.h"
 #include "keiko/scene/scratches.h"
+#include "keiko/scene/texel_spec.h"
 
 #include <algorithm>
 #include <optional>
@@ -54,6 +55,7 @@ struct Material {
     std::optional<Roughness> roughness{}; ///< of the coat or the metal; none: a smooth mirror
     std::optional<FlakeLayer> flakes{};   ///< none by default
     std::vector<MaterialMap> maps{};      ///< that vary it over a surface
+    std::optional<TexelSpec> texels{};    ///< fibres over it; none by default
     Rgb emits{0}; ///< cd/m2, alike in all directions, beside what it reflects
     /// True if faces light others from both sides, else from the outer one. A luminance that maps
     /// vary is visible on these sides.

@@ -211,11 +211,37 @@ inline std::vector<Table> light_tables() {
 }
 
 inline std::vector<Table> material_tables() {
+    const auto texels = [](Keys keys) {
+        return Table{"[model.material.texels]", "model[0].material.texels", "/$defs/texels",
+                     std::move(keys), paint};
+    };
     const auto roughness = [](Keys keys) {
         return Table{"[model.material.roughness]", "model[0].material.roughness",
                      "/$defs/roughness", std::move(keys), paint};
     };
     return {
+        texels({{"kind", "\"fur\""},
+                {"thickness", "20"},
+                {"diffuse", "0.5"},
+                {"specular", "[0.1, 0.2, 0.3]"},
+                {"exponent", "20"},
+                {"voxels", "16"},
+                {"hairs", "100"},
+                {"length", "25"},
+                {"variation", "0.2"},
+                {"width", "0.1"},
+                {"lean", "20"},
+                {"droop", "30"},
+                {"toward", "-90"},
+                {"disorder", "30"},
+                {"curl", "{ radius = 1, turns = 2 }"},
+                {"block", "20"},
+                {"seed", "3"}}),
+        texels({{"kind", "\"cloth\""},
+                {"thickness", "1"},
+                {"weave", "\"twill\""},
+                {"spacing", "2"},
+                {"extinction", "10"}}),
         roughness({{"distribution", "\"gauss\""}, {"width", "0.2"}, {"mode", "\"brdf\""}}),
         roughness({{"distribution", "\"phong\""}, {"exponent", "20"}}),
         roughness({{"width", "0.1"}, {"across", "0.3"}, {"along", "[0, 1, 0]"}}),

@@ -3,6 +3,7 @@
 #include "keiko/base/input_file.h"
 #include "keiko/base/text.h"
 #include "keiko/files/scene/map_table.h"
+#include "keiko/files/scene/texel_table.h"
 #include "keiko/files/toml/toml_reader.h"
 
 #include "keiko_standard_files.h"
@@ -147,6 +148,7 @@ Material material_from(const TomlTable& table) {
     if (material.roughness && !material.metal && material.refractive_index == 1)
         throw table.error("roughness", "needs a border: a refractive_index above 1, or a metal");
     material.emits = table.rgb("emits", TomlLimits::light()).value_or(material.emits);
+    if (const auto texels = table.table("texels")) material.texels = texels_from(*texels);
     material.maps = maps_from(table, material);
     table.finish();
     return material;

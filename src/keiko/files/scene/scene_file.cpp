@@ -185,6 +185,8 @@ GroundSpec ground_from(const TomlTable& table, const std::vector<Material>& mate
     if (ground.material.emits != Rgb(0))
         throw table.error("material", "a ground cannot emit light: lay a [[polygon]] on it");
     table.finish();
+    if (ground.material.texels)
+        throw table.error("material", "a ground has no texels: lay a [[polygon]] or a body on it");
     return ground;
 }
 

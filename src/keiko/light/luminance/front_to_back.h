@@ -16,6 +16,11 @@ struct FrontToBack {
         light += own_light * share;
         opacity += share;
     }
+    /// Layers behind, already summed up.
+    void add(const FrontToBack& behind) {
+        light += behind.light * (1 - opacity);
+        opacity += (1 - opacity) * behind.opacity;
+    }
 };
 
 } // namespace keiko

@@ -1,0 +1,114 @@
+#include "keiko/texels/texel_shell.h"
+
+#include "keiko/texels/fibre_blocks.h"
+#include "keiko/texels/scene_texels.h"
+
+#include "tests/support/model_builder.h"
+#include "tests/support/random.h"
+#include "tests/support/shapes.h"
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace keiko {
+namespace {
+
+TexelShell shell_of(const SurfaceModel& model, const TexelSpec& spec) {
+    return {model, 0, 0, spec, std::make_shared<const TexelBlock>(fibre_block(spec))};
+}
+
+TexelSpec short_fur(double thickness) {
+    TexelSpec spec;
+    spec.thickness = thickness, spec.voxels = 16;
+    spec.fibres = FurSpec{.length = thickness};
+    return spec;
+}
+
+double length_of(const std::vector<ShellRun>& runs) {
+    double sum = 0;
+    for (const ShellRun& run : runs) sum += run.end - run.begin;
+    return sum;
+}
+
+TEST(TexelShell, OfAPlateIsCrossedFromTheTopToTheFoot) {
+    test::ModelBuilder builder;
+    builder.plane(Vec3(0), Vec3(400, 0, 0), Vec3(0, 300, 0));
+    const SurfaceModel model = builder.build();
+    const TexelSpec spec = short_fur(12);
+    const TexelShell shell = shell_of(model, spec);
+    const Segment aslant{Vec3(100, 100, 112), Vec3(203, 151, 0)};
+    const std::vector<ShellRun> runs = shell.runs(aslant);
+    const double length = (aslant.b - aslant.a).length();
+    EXPECT_NEAR(length_of(runs), length * 12 / 112, 1e-9);
+    EXPECT_NEAR(runs.front().begin, length * 100 / 112, 1e-9);
+    for (std::size_t i = 1; i < runs.size(); ++i) EXPECT_NEAR(runs[i].begin, runs[i - 1].end, 1e-9);
+    const Vec3 first = runs.front().at(runs.front().begin), last = runs.back().at(runs.back().end);
+    EXPECT_NEAR(first.z, 1, 1e-9);
+    EXPECT_NEAR(last.z, 0, 1e-9);
+    // 20 and 15 blocks of 20 mm.
+    const Vec3 place = shell.block_place(*runs.back().part, last);
+    EXPECT_NEAR(place.x, 203.0 / 20, 1e-9);
+    EXPECT_NEAR(place.y, 151.0 / 20, 1e-9);
+    EXPECT_TRUE(shell.runs({Vec3(0, 0, 13), Vec3(400, 300, 13)}).empty());
+    EXPECT_NEAR(length_of(shell.runs({Vec3(-9, 100, 6), Vec3(409, 100, 6)})), 400, 1e-9);
+}
+
+TEST(TexelShell, OfABallHasTheChordsBetweenTwoSpheres) {
+    const SurfaceModel model =
+        test::ShapeBuilder().face(test::sphere(Vec3(10, 20, 30), 100)).model();
+    const TexelSpec spec = short_fur(15);
+    const TexelShell shell = shell_of(model, spec);
+    test::Random random(1);
+    for (int i = 0; i < 200; ++i) {
+        const Vec3 outwards = test::random_direction(random);
+        const Vec3 aside = outwards.cross(test::random_direction(random)).normalized();
+        const double past = test::uniform(random, 0, 113);
+        const Vec3 middle = Vec3(10, 20, 30) + outwards * past;
+        const auto chord = [&](double r) {
+            return 2 * std::sqrt(std::max(0.0, r * r - past * past));
+        };
+        // The shell is flat within a hundredth of its thickness; lines that graze it see more.
+        const double most = chord(115) - chord(115 - 0.3) + chord(100.3) - chord(100);
+        EXPECT_NEAR(length_of(shell.runs({middle - aside * 200, middle + aside * 200})),
+                    chord(115) - chord(100), most + 0.1)
+            << past;
+    }
+}
+
+TEST(TexelShell, EndsAtTrimCurves) {
+    test::ModelBuilder builder;
+    builder.plane(Vec3(0), Vec3(400, 0, 0), Vec3(0, 400, 0));
+    builder.polygon({Vec2(0.1, 0.1), Vec2(0.9, 0.1), Vec2(0.1, 0.9)});
+    const SurfaceModel model = builder.build();
+    Material fur;
+    fur.texels = short_fur(12);
+    const SceneTexels texels(model, std::vector{fur});
+    const auto depth = [&](double x, double y) {
+        double sum = 0; // over more than a block, since hairs are thin
+        for (double off = 0; off < 24; ++off)
+            sum += texels.optical_depth({Vec3(x + off, y, 20), Vec3(x + off, y + 5, 0)}, 1e3);
+        return sum;
+    };
+    EXPECT_GT(depth(100, 100), 1);
+    EXPECT_GT(depth(150, 190), 1);
+    EXPECT_EQ(depth(210, 210), 0);
+    EXPECT_EQ(depth(10, 10), 0);
+}
+
+TEST(SceneTexels, GoWithTheInstancesOfAFace) {
+    test::ModelBuilder builder;
+    builder.plane(Vec3(0), Vec3(40, 0, 0), Vec3(0, 40, 0));
+    builder.instance(Affine::translate(Vec3(0, 0, 100)));
+    builder.instance(Affine::rotate(Vec3(1, 0, 0), 3.14159265358979));
+    Material fur;
+    fur.texels = short_fur(8);
+    const SceneTexels texels(builder.build(), std::vector{fur});
+    ASSERT_EQ(texels.boxes().size(), 2U);
+    EXPECT_NEAR(texels.boxes()[0].lower.z, 100, 1e-9);
+    EXPECT_NEAR(texels.boxes()[0].upper.z, 108, 1e-9);
+    EXPECT_NEAR(texels.boxes()[1].lower.z, -8, 1e-9);
+    EXPECT_NEAR(texels.boxes()[1].upper.z, 0, 1e-9);
+}
+
+} // namespace
+} // namespace keiko
