@@ -5,6 +5,7 @@
 #include "keiko/maps/scene_maps.h"
 #include "keiko/render/reflection/sample_batch.h"
 #include "keiko/scene/camera.h"
+#include "keiko/texels/scene_texels.h"
 #include "keiko/volumes/scene_volumes.h"
 
 #include <algorithm>
@@ -126,6 +127,10 @@ PictureRays::PictureRays(const PictureScene& scene, const Camera& seen_by) : cam
     if (scene.volumes) {
         const std::vector<Box3> volumes = scene.volumes->boxes();
         boxes.insert(boxes.end(), volumes.begin(), volumes.end());
+    }
+    if (scene.texels) {
+        const std::vector<Box3> texels = scene.texels->boxes();
+        boxes.insert(boxes.end(), texels.begin(), texels.end());
     }
     cover.emplace(seen_by, boxes);
 }

@@ -29,6 +29,14 @@ std::vector<RunOfShell> runs_of(const SceneTexels& texels, const Segment& segmen
     return all;
 }
 
+/// A run in mm from another place of its line. From where it enters a shell neighbouring rays have
+/// their samples at the same depths, without rings.
+ShellRun from(ShellRun run, double begin) {
+    run.first += run.change * begin;
+    run.begin -= begin, run.end -= begin;
+    return run;
+}
+
 /// mm, the width of a ray at a distance from its begin.
 double width_at(const std::optional<RayDifferentials>& spread, double t) {
     if (!spread) return 0;
@@ -105,7 +113,7 @@ void LitTexels::add_run(std::size_t number, const ShellRun& run, const Vec3& to_
     const TexelShell& shell = texels_.shells()[number];
     const double step = shell.step(level);
     std::optional<std::vector<ArrivingLight>> lights;
-    // Samples of all runs lie in the same steps of the ray, so that it has none twice.
+    // Samples of all runs lie in the same steps from 0 on, so that none is there twice.
     for (double k = std::ceil(run.begin / step - 0.5); (k + 0.5) * step < run.end; ++k) {
         const Vec3 at = run.at((k + 0.5) * step);
         const Fibres fibres = shell.fibres(*run.part, at, level);
@@ -129,7 +137,8 @@ std::vector<TexelLayer> LitTexels::along(const Segment& segment,
             layers.push_back({run.begin, run.end, {}});
         TexelLayer& layer = layers.back();
         layer.end = std::max(layer.end, run.end);
-        add_run(shell, run, to_viewer, level_for(block, width_at(spread, run.begin)), layer.sum);
+        add_run(shell, from(run, layer.begin), to_viewer,
+                level_for(block, width_at(spread, run.begin)), layer.sum);
         if (layer.sum.opacity > opaque) break;
     }
     return layers;

@@ -166,7 +166,14 @@ double TexelShell::depth_outwards(const ShellPart& part, const Vec3& in_cell, co
                                   int level, double most) const {
     const Vec3 change = part.along(towards);
     if (!(change.z > 0)) return most; // into the body
-    const double length = (1 - in_cell.z) / change.z, step = this->step(level);
+    double length = (1 - in_cell.z) / change.z;
+    const auto end_at_side = [&](double place, double way, int cells) {
+        if (way != 0) length = std::min(length, ((way > 0 ? cells : 0) - place) / way);
+    };
+    end_at_side(part.cell_u + in_cell.x, change.x, lattice_.cells_u);
+    end_at_side(part.cell_v + in_cell.y, change.y, lattice_.cells_v);
+    if (!(length > 0)) return 0;
+    const double step = this->step(level);
     const double count = std::ceil(length / step);
     constexpr double farthest = 256; // steps, for light that grazes a face without much on it
     const double part_step = length / count;

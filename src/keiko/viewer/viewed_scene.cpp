@@ -87,7 +87,9 @@ Film ViewedScene::still(const ViewRequest& request, const LightRig& rig, const J
                             shadows ? &*shadows : nullptr,
                             scene_.maps.get(),
                             {},
-                            scene_.volumes.get()};
+                            scene_.volumes.get(),
+                            nullptr,
+                            request.hidden.empty() ? scene_.texels.get() : nullptr};
     return render_part(scene_, part, view_of(request).camera, {}, job);
 }
 

@@ -1,23 +1,22 @@
 #include "keiko/volumes/cloud_light.h"
 
-#include "keiko/base/parallel.h"
 #include "keiko/light/fog/medium.h"
 #include "keiko/light/luminance/photometry.h"
 #include "keiko/math/quadrature.h"
-#include "keiko/math/trilinear.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace keiko {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double darkness = 20; ///< optical depth that no light counts beyond
-/// Nodes of the grids of the sun, whose shadows have edges, and of each part of the surroundings.
-constexpr double sun_nodes = 1 << 21, surroundings_nodes = 1 << 15;
+/// Places of the depths of the sun, whose shadows have edges, and of each part of the surroundings.
+constexpr double sun_places = 1 << 21, surroundings_places = 1 << 15;
 
 /// cd/m2 of the surroundings of a rig in a unit direction.
 Rgb surroundings_in(const LightRig& rig, const Vec3& towards) {
@@ -57,61 +56,90 @@ DistantLights distant_lights(const LightRig& rig) {
 }
 
 CloudLight::CloudLight(const SceneVolumes& scene, const Volume& volume, const LightRig& rig,
-                       const Job& job)
+                       const StopOfLight& stops, const Job& job)
     : volume_(volume), mean_extinction_(volume.mean_extinction()) {
-    const DistantLights lights = distant_lights(rig);
-    for (const ParallelLight& sun : lights.suns) beams_.push_back(beam(scene, sun, sun_nodes, job));
-    for (const ParallelLight& light : lights.surroundings)
-        beams_.push_back(beam(scene, light, surroundings_nodes, job));
+    DistantLights lights = distant_lights(rig);
+    suns_ = std::move(lights.suns), surroundings_ = std::move(lights.surroundings);
+    for (const ParallelLight& sun : suns_)
+        sun_depths_.push_back(depths_towards(scene, sun, sun_places, stops, job));
+    if (!surroundings_.empty()) find_surroundings(scene, stops, job);
 }
 
-CloudLight::Beam CloudLight::beam(const SceneVolumes& scene, const ParallelLight& light,
-                                  double most, const Job& job) const {
-    Beam beam{light, volume_.nodes()};
+BeamDepths CloudLight::depths_towards(const SceneVolumes& scene, const ParallelLight& light,
+                                      double most, const StopOfLight& stops, const Job& job) const {
+    if (volume_.spec().scattering->uniform_leg)
+        return BeamDepths::uniform(volume_, light.towards, mean_extinction_);
+    return {scene, volume_, light.towards, most, stops, job};
+}
+
+void CloudLight::find_surroundings(const SceneVolumes& scene, const StopOfLight& stops,
+                                   const Job& job) {
     const auto& [columns, rows, layers] = volume_.nodes();
-    const double steps = std::max(1.0, std::cbrt(1.0 * columns * rows * layers / most));
+    const double step =
+        std::max(1.0, std::cbrt(1.0 * columns * rows * layers / surroundings_places));
     for (unsigned axis = 0; axis < 3; ++axis) {
         const int cells = volume_.nodes()[axis] - 1;
-        beam.nodes[axis] = static_cast<int>(std::ceil(cells / steps)) + 1;
-        beam.steps[axis] = 1.0 * cells / (beam.nodes[axis] - 1);
+        nodes_[axis] = static_cast<int>(std::ceil(cells / step)) + 1;
+        steps_[axis] = 1.0 * cells / (nodes_[axis] - 1);
     }
-    const auto row = static_cast<std::size_t>(beam.nodes[0]);
-    const std::size_t layer = row * static_cast<std::size_t>(beam.nodes[1]);
-    const auto high = static_cast<std::size_t>(beam.nodes[2]);
-    beam.depths.resize(layer * high);
-    parallel_for(high, job, "", [&](std::size_t z) {
-        for (std::size_t i = 0; i < layer; ++i) {
-            const Vec3 node(static_cast<double>(i % row), static_cast<double>(i / row),
-                            static_cast<double>(z));
-            const Vec3 place = volume_.scene_place(node * beam.steps);
-            beam.depths[z * layer + i] = static_cast<float>(depth(scene, place, light.towards));
+    const auto row = static_cast<std::size_t>(nodes_[0]);
+    const std::size_t layer = row * static_cast<std::size_t>(nodes_[1]);
+    const std::size_t count = layer * static_cast<std::size_t>(nodes_[2]);
+    passed_.resize(count * surroundings_.size());
+    for (std::size_t i = 0; i < surroundings_.size(); ++i) {
+        const BeamDepths depths =
+            depths_towards(scene, surroundings_[i], surroundings_places, stops, job);
+        for (std::size_t node = 0; node < count; ++node) {
+            const Vec3 place(static_cast<double>(node % row),
+                             static_cast<double>(node % layer / row),
+                             static_cast<double>(node / layer));
+            passed_[node * surroundings_.size() + i] =
+                static_cast<float>(std::exp(-depths(place * steps_)));
         }
-    });
-    return beam;
-}
-
-double CloudLight::depth(const SceneVolumes& scene, const Vec3& place, const Vec3& towards) const {
-    const Segment way{place, place + towards * scene.reach_from(place)};
-    if (!volume_.spec().scattering->uniform_leg) return scene.optical_depth(way, darkness);
-    const auto crossing = volume_.crossing(way);
-    return crossing ? mean_extinction_ * (crossing->end - crossing->begin) : 0;
-}
-
-Rgb CloudLight::luminance(const Vec3& place, const Vec3& to_viewer) const {
-    const VolumeScattering& scattering = *volume_.spec().scattering;
-    Rgb sum;
-    for (const Beam& beam : beams_) {
-        const GridCell cell = grid_cell(place / beam.steps, beam.nodes);
-        const auto row = static_cast<std::size_t>(beam.nodes[0]);
-        const std::size_t layer = row * static_cast<std::size_t>(beam.nodes[1]);
-        const std::size_t first = cell.node[0] + row * cell.node[1] + layer * cell.node[2];
-        const double depth = trilinear(cell.t, [&](std::size_t x, std::size_t y, std::size_t z) {
-            return static_cast<double>(beam.depths[first + x + row * y + layer * z]);
-        });
-        const double cosine = -beam.light.towards.dot(to_viewer);
-        sum += beam.light.illuminance * (phase(scattering.phase, cosine) * std::exp(-depth));
     }
-    return sum * scattering.albedo;
+}
+
+CloudView::CloudView(const CloudLight& light, const Vec3& to_viewer) : light_(&light) {
+    const VolumeScattering& scattering = *light.volume_.spec().scattering;
+    const auto scattered = [&](const ParallelLight& from) {
+        return from.illuminance * scattering.albedo *
+               phase(scattering.phase, -from.towards.dot(to_viewer));
+    };
+    for (const ParallelLight& sun : light.suns_) of_suns_.push_back(scattered(sun));
+    for (const ParallelLight& part : light.surroundings_)
+        of_surroundings_.push_back(scattered(part));
+    cell_.fill(std::numeric_limits<std::size_t>::max());
+}
+
+void CloudView::sum_surroundings(const GridCell& cell) {
+    const auto row = static_cast<std::size_t>(light_->nodes_[0]);
+    const std::size_t layer = row * static_cast<std::size_t>(light_->nodes_[1]);
+    const std::size_t lights = of_surroundings_.size();
+    for (std::size_t corner = 0; corner < 8; ++corner) {
+        const std::size_t node = cell.node[0] + corner % 2 + row * (cell.node[1] + corner / 2 % 2) +
+                                 layer * (cell.node[2] + corner / 4);
+        const float* passed = &light_->passed_[node * lights];
+        Rgb sum;
+        for (std::size_t i = 0; i < lights; ++i)
+            sum += of_surroundings_[i] * static_cast<double>(passed[i]);
+        constexpr double dark = 1e-30; // cd/m2: of a channel without light
+        logarithms_[corner] = Vec3(std::log(std::max(sum.r, dark)), std::log(std::max(sum.g, dark)),
+                                   std::log(std::max(sum.b, dark)));
+    }
+    cell_ = cell.node;
+}
+
+Rgb CloudView::luminance(const Vec3& place) {
+    Rgb sum;
+    for (std::size_t i = 0; i < of_suns_.size(); ++i)
+        sum += of_suns_[i] * std::exp(-light_->sun_depths_[i](place));
+    if (of_surroundings_.empty()) return sum;
+    const GridCell cell = grid_cell(place / light_->steps_, light_->nodes_);
+    if (cell.node != cell_) sum_surroundings(cell);
+    const Vec3 at = trilinear(cell.t, [&](std::size_t x, std::size_t y, std::size_t z) {
+        return logarithms_[x + 2 * y + 4 * z];
+    });
+    return sum + Rgb(std::exp(at.x), std::exp(at.y), std::exp(at.z));
 }
 
 } // namespace keiko

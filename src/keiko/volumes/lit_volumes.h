@@ -16,8 +16,10 @@ namespace keiko {
 /// its share of the light.
 class LitVolumes {
 public:
-    /// Finds the light on clouds. Keeps a reference to the volumes. Throws Cancelled.
-    LitVolumes(const SceneVolumes& volumes, const LightRig& rig, const Job& job = {});
+    /// Finds the light on clouds, which the surfaces of `stops` hide. Keeps a reference to the
+    /// volumes. Throws Cancelled.
+    LitVolumes(const SceneVolumes& volumes, const LightRig& rig, const StopOfLight& stops = {},
+               const Job& job = {});
 
     /// Light of the volumes towards the begin of a segment, cd/m2, and their opacity along it. It
     /// ends early where less than a thousandth of the light behind passes.

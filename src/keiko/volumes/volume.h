@@ -47,6 +47,8 @@ public:
     const std::array<int, 3>& nodes() const { return grid_.nodes(); }
     /// Place in the scene, mm, of one in the grid.
     Vec3 scene_place(const Vec3& in_grid) const { return from_grid_.point(in_grid); }
+    /// Vector in the grid of one in the scene.
+    Vec3 grid_vector(const Vec3& in_scene) const { return to_grid_.vector(in_scene); }
     /// Mean extinction of the nodes, 1/mm.
     double mean_extinction() const;
     /// cd/m2 of an opaque layer at a place of the grid, `distance` mm from the viewer, without the

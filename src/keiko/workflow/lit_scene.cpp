@@ -26,7 +26,8 @@ LitScene::LitScene(const Scene& scene, const LightRig& rig, TubeModel tubes, con
       rig_(rig),
       tubes_(tubes),
       glass_(scene.seen(), scene.seen_materials(), scene.caustics.has_value()),
-      straight_(scene.seen(), scene.seen_materials()) {
+      straight_(scene.seen(), scene.seen_materials()),
+      matter_(scene.volumes.get(), scene.texels.get()) {
     if (scene.caustics)
         caustics_.emplace(scene.seen(), scene.seen_materials(), rig_, *scene.caustics, job);
 }
@@ -55,6 +56,14 @@ void LitScene::dim_by_glass(const Place& place, std::span<const LightId> lights,
                              place.root());
 }
 
+/// Takes from the light of each lamp what volumes and texels take.
+void LitScene::dim_by_matter(const Place& place, std::span<const LightId> lights,
+                             std::vector<Rgb>& lux) const {
+    for (std::size_t i = 0; i < lights.size(); ++i)
+        if (lux[i] != Rgb(0))
+            lux[i] *= matter_.left(rig_.sources[lights[i].source], lights[i].lamp, place.position);
+}
+
 /// Light of each source by way of mirrors and glass; empty without.
 std::vector<Rgb> LitScene::caustics_at(const Place& place, const Vec3& normal) const {
     if (!caustics_ || !place.hit) return {};
@@ -75,6 +84,7 @@ std::vector<Rgb> LitScene::direct(const Vec3& point, const Vec3& normal) const {
     by_source.resize(rig_.sources.size());
     std::vector<Rgb> by_light = lit.illuminance_by_light();
     if (occluders && glass_.any()) dim_by_glass(place, lights.lights(), by_light);
+    if (occluders && matter_.any()) dim_by_matter(place, lights.lights(), by_light);
     each_source(lights.lights(),
                 [&](std::size_t source, std::span<const int> lamps, std::size_t first) {
                     for (std::size_t i = 0; i < lamps.size(); ++i)

@@ -4,6 +4,7 @@
 #include "keiko/light/rig/prepared_rig.h"
 #include "keiko/render/caustics/caustics.h"
 #include "keiko/render/shading/glass_loss.h"
+#include "keiko/render/shading/matter_loss.h"
 #include "keiko/workflow/open_scene.h"
 
 #include <cstddef>
@@ -47,12 +48,15 @@ private:
     Place place_of(const Vec3& point, const Vec3& normal) const;
     void dim_by_glass(const Place& place, std::span<const LightId> lights,
                       std::vector<Rgb>& lux) const;
+    void dim_by_matter(const Place& place, std::span<const LightId> lights,
+                       std::vector<Rgb>& lux) const;
     std::vector<Rgb> caustics_at(const Place& place, const Vec3& normal) const;
 
     const Scene& scene_;
     PreparedRig rig_;
     TubeModel tubes_;
     GlassLoss glass_, straight_; ///< where caustics land, and without them
+    MatterLoss matter_;
     std::optional<Caustics> caustics_;
 };
 

@@ -158,6 +158,7 @@ void require_plain(const Scene& scene, const LightRig& rig) {
     for (const Material& material : scene.seen_materials()) {
         if (material.emits != Rgb(0)) refuse("bodies that emit light");
         if (!material.maps.empty()) refuse("maps of materials");
+        if (material.texels) refuse("texels of materials");
         if (material.roughness && material.roughness->scratches) refuse("brushed metal");
     }
 }

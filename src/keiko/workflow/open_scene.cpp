@@ -9,6 +9,7 @@
 #include "keiko/light/rig/body_lamps.h"
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/maps/scene_maps.h"
+#include "keiko/texels/scene_texels.h"
 #include "keiko/volumes/scene_volumes.h"
 #include "keiko/workflow/luminous_faces.h"
 #include "keiko/workflow/painted_body.h"
@@ -101,6 +102,13 @@ void take_maps(Scene& scene, const std::optional<EnvironmentSpec>& environment) 
         scene.maps = std::make_shared<const SceneMaps>(materials, scene.model, environment);
 }
 
+/// Prepares the texels of a scene's materials, if they have any.
+void take_texels(Scene& scene, const Job& job) {
+    scene.texels.reset();
+    if (have_texels(scene.materials))
+        scene.texels = std::make_shared<const SceneTexels>(scene.model, scene.materials, job);
+}
+
 /// Adds the lights of bodies that are lamps.
 void take_lamps(Scene& scene, std::vector<LightSource> lamps) {
     if (lamps.empty()) return;
@@ -139,6 +147,7 @@ Scene prepared(PaintedBody painted, const SceneSpec& spec, const SceneOptions& o
                 .radiosity = spec.radiosity};
     take_lamps(scene, std::move(lamps));
     take_maps(scene, spec.environment);
+    take_texels(scene, {});
     if (options.analysis) take_analysis(scene, *options.analysis, steps.next(following));
     return scene;
 }
@@ -181,6 +190,7 @@ Scene moved_scene(Scene scene, const Affine& motion, const SceneOptions& options
     scene.surroundings = std::move(all.surroundings);
     scene.occluders = std::move(all.occluders);
     take_maps(scene, environment_of(scene));
+    take_texels(scene, job);
     return scene;
 }
 

@@ -63,6 +63,7 @@ struct Scene {
     std::shared_ptr<const SceneVolumes> volumes{}; ///< of the scene file; null: none
     std::optional<RadiositySpec> radiosity{};      ///< of the scene file
     std::shared_ptr<const ReflectedLight> reflected{}; ///< by take_solution(); null: none
+    std::shared_ptr<const SceneTexels> texels{};       ///< of its materials; null: none
 
     /// Tracer of pictures and rays: the body, and the ground if there is one.
     const Tracer& seen() const { return surroundings ? surroundings->tracer : tracer; }
@@ -84,7 +85,8 @@ struct Scene {
                 maps.get(),
                 caustics,
                 volumes.get(),
-                reflected.get()};
+                reflected.get(),
+                texels.get()};
     }
     /// Sets the size of its pictures, in pixels, and of its camera.
     void set_picture_size(int wide, int high);

@@ -165,6 +165,7 @@ Diagnostics radiosity_remarks(const Scene& scene) {
         warn("maps of reflectances: a face has that of its material all over");
     if (scene.maps && scene.maps->environment() && scene.maps->environment()->spec().lights)
         warn("the light of the environment");
+    if (scene.texels) warn("texels: faces reflect as without them");
     if (scene.volumes) warn("volumes: they neither take nor scatter its light");
     return remarks;
 }

@@ -1,6 +1,7 @@
 #include "keiko/stream/light_points.h"
 
 #include "keiko/light/rig/surface_light.h"
+#include "keiko/volumes/scene_volumes.h"
 
 #include "tests/support/model_builder.h"
 #include "tests/unit/stream/cut_text.h"
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <memory>
 #include <numbers>
 #include <sstream>
 
@@ -69,6 +72,37 @@ TEST(LightPoints, TellsEachSourceAndTheSum) {
 /// The number in a row's last column.
 double sum_of(const std::string& rows) {
     return std::stod(rows.substr(rows.rfind(',') + 1));
+}
+
+/// A uniform slab of 200 mm, from the height 400 mm on, wide enough for light aslant.
+std::shared_ptr<const SceneVolumes> slab(double extinction) {
+    VolumeSpec spec;
+    spec.voxels.origin = Vec3(-5000, -5000, 400);
+    spec.voxels.spacing = Vec3(2500, 2500, 50);
+    spec.extinction.points = {{0, extinction}}; // 1/m
+    std::vector<Volume> volumes;
+    volumes.emplace_back(spec, VoxelGrid({5, 5, 5}, std::vector<float>(125, 0.0F)), Job{});
+    return std::make_shared<const SceneVolumes>(std::move(volumes));
+}
+
+TEST(LightPoints, VolumesDimLampsAndSunsByBeersLaw) {
+    LightRig rig;
+    const Vec3 way = Vec3(1, 2, -3).normalized();
+    rig.sources = {
+        spot, Sun{.direction = way, .illuminance = Rgb(1000)},
+        PolygonLight{{{-9, -9, 900}, {-9, 9, 900}, {9, 9, 900}, {9, -9, 900}}, Rgb(9e5)}};
+    Scene scene = scene_under(rig);
+    Ray point;
+    point.direction = Vec3(0, 0, 1);
+    const std::vector<double> clear = illuminance_at(scene, rig, std::span(&point, 1)).lux;
+    scene.volumes = slab(2.5);
+    const std::vector<double> dimmed = illuminance_at(scene, rig, std::span(&point, 1)).lux;
+    ASSERT_EQ(dimmed.size(), 4U);
+    EXPECT_NEAR(dimmed[0] / clear[0], std::exp(-2.5 * 0.2), 1e-6);
+    EXPECT_NEAR(dimmed[1] / clear[1], std::exp(-2.5 * 0.2 / -way.z), 1e-6);
+    EXPECT_NEAR(dimmed[2] / clear[2], std::exp(-2.5 * 0.2), 1e-4) << "a small panel overhead";
+    scene.occluders.reset();
+    EXPECT_EQ(illuminance_at(scene, rig, std::span(&point, 1)).lux, clear) << "without shadows";
 }
 
 /// The board hides half of a panel right above the point, along the panel's middle.

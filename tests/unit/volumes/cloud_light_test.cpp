@@ -1,11 +1,14 @@
 #include "keiko/light/fog/window_beam.h"
 #include "keiko/light/luminance/photometry.h"
+#include "keiko/light/sky/sky_light.h"
+#include "keiko/math/quadrature.h"
 #include "keiko/volumes/lit_volumes.h"
 
 #include "tests/support/oracle.h"
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace keiko {
@@ -69,6 +72,35 @@ TEST(ScatterSlab, AgreesWithOracle) {
         if (leaves.z > 0 || cast.opacity < 0.999)
             light.compare(row, cast.light.g, row.number("out.L"), 1e-3);
     }
+}
+
+/// The integral along the view ray of a row, with depths towards the sun as the uniform leg has
+/// them.
+double integral_along(const test::OracleRow& row, const Volume& volume) {
+    const VolumeSpec& spec = volume.spec();
+    const double extinction = row.number("in.sigma") / 1000;
+    const Vec3 leaves = row.unit("in.v"), sun = -row.unit("in.dl");
+    const double height = 1000 * row.number("in.h"), length = height / std::abs(leaves.z);
+    const BeamDepths depths = BeamDepths::uniform(volume, sun, extinction);
+    const Vec3 exit(0, 0, leaves.z > 0 ? height : 0);
+    constexpr int panels = 50;
+    double sum = 0;
+    for (int panel = 0; panel < panels; ++panel)
+        for (const QuadratureNode& node : gauss_legendre(16)) {
+            const double s = (panel + (1 + node.x) / 2) * length / panels;
+            const Vec3 place = exit - leaves * s;
+            const double tau = depths((place - spec.voxels.origin) / spec.voxels.spacing);
+            sum += extinction * std::exp(-extinction * s - tau) * node.weight * length / panels / 2;
+        }
+    return sum * row.number("in.w0") * row.number("in.E0") *
+           phase(spec.scattering->phase, -sun.dot(leaves));
+}
+
+TEST(ScatterSlab, AgreesWithOracleByTheUniformLegToItsTolerance) {
+    const test::OracleTable table("scatter_slab");
+    test::WorstError light("L");
+    for (const auto& row : table)
+        light.compare(row, integral_along(row, slab(row)), row.number("out.L"), 1e-11);
 }
 
 /// A ball of voxels, its surface blurred over a step, in m times 1000.
@@ -197,6 +229,126 @@ TEST(CloudLight, OfOneVolumeIsDimmedByAnother) {
     const SceneVolumes one(std::move(alone)), two(std::move(both));
     EXPECT_NEAR(LitVolumes(two, rig).along(way).light.g,
                 LitVolumes(one, rig).along(way).light.g * std::exp(-1), 1e-4);
+}
+
+TEST(CloudLight, IsHiddenBySurfaces) {
+    VolumeSpec spec;
+    spec.extinction.points = {{0, 10}};
+    spec.scattering = VolumeScattering();
+    const SceneVolumes scene = cube(spec);
+    const Vec3 direction = Vec3(1, 0, -2).normalized();
+    LightRig rig;
+    rig.sources.push_back(Sun{.direction = direction, .illuminance = Rgb(1000)});
+    // A plate at the height 200 mm, over x below 0: its edge shades x below 75 mm at 50 mm.
+    const StopOfLight plate = [](const Vec3& from, const Vec3& way) {
+        const double t = (200 - from.z) / way.z;
+        return t > 0 && from.x + way.x * t < 0 ? t : std::numeric_limits<double>::infinity();
+    };
+    const LitVolumes free(scene, rig), shaded(scene, rig, plate);
+    const auto along_y = [](const LitVolumes& lit, double x) {
+        return lit.along({Vec3(x, -50, 50), Vec3(x, 150, 50)}).light.g;
+    };
+    EXPECT_LT(along_y(shaded, 40), 1e-6 * along_y(free, 40));
+    EXPECT_NEAR(along_y(shaded, 95), along_y(free, 95), 1e-9);
+}
+
+/// Sum of the lights at a place, each dimmed by a march of its own towards it.
+Rgb by_marches(const SceneVolumes& scene, const LightRig& rig, const VolumeScattering& scattering,
+               const Vec3& place, const Vec3& to_viewer) {
+    const DistantLights lights = distant_lights(rig);
+    Rgb sum;
+    for (const auto* all : {&lights.suns, &lights.surroundings})
+        for (const ParallelLight& light : *all) {
+            const Segment way{place, place + light.towards * scene.reach_from(place)};
+            sum += light.illuminance * phase(scattering.phase, -light.towards.dot(to_viewer)) *
+                   std::exp(-scene.optical_depth(way, 50));
+        }
+    return sum * scattering.albedo;
+}
+
+TEST(CloudView, HasTheLightsOfMarchesFromEachPlace) {
+    constexpr int nodes = 65;
+    std::vector<float> values;
+    for (int k = 0; k < nodes; ++k)
+        for (int j = 0; j < nodes; ++j)
+            for (int i = 0; i < nodes; ++i) {
+                const double away = (Vec3(i, j, k) - Vec3(32)).length();
+                values.push_back(static_cast<float>(std::clamp(
+                    1.2 - away / 26 + 0.2 * std::sin(0.4 * i) * std::cos(0.3 * j), 0.0, 1.0)));
+            }
+    VolumeSpec spec;
+    spec.voxels.spacing = Vec3(10);
+    spec.extinction.points = {{0, 0}, {1, 20}}; // up to a depth of 10
+    spec.scattering =
+        VolumeScattering{.albedo = Rgb(0.9, 0.8, 0.7), .phase = HenyeyGreenstein{0.5}};
+    std::vector<Volume> volumes;
+    volumes.emplace_back(spec, VoxelGrid({nodes, nodes, nodes}, values), Job{});
+    const SceneVolumes scene(std::move(volumes));
+    LightRig rig;
+    rig.ambient = Rgb(300, 400, 500);
+    rig.sources.push_back(Sun{.direction = Vec3(1, 2, -3), .illuminance = Rgb(5000)});
+    rig.sources.push_back(SkyLight{.model = SkyModel::overcast, .luminance = Rgb(200)});
+    const Volume& volume = scene.volumes().front();
+    const CloudLight light(scene, volume, rig, {}, Job{});
+    const Vec3 to_viewer = Vec3(-3, 1, 1).normalized();
+    CloudView view(light, to_viewer);
+    double worst = 0, brightest = 0, sum = 0;
+    constexpr int places = 400;
+    for (int i = 0; i < places; ++i) {
+        const Vec3 place(5 + 54 * (i * 0.754877666 - std::floor(i * 0.754877666)),
+                         5 + 54 * (i * 0.569840291 - std::floor(i * 0.569840291)), 5 + 0.135 * i);
+        const Rgb expected =
+            by_marches(scene, rig, *spec.scattering, volume.scene_place(place), to_viewer);
+        const Rgb found = view.luminance(place);
+        brightest = std::max(brightest, expected.g);
+        sum += std::abs(found.g - expected.g);
+        worst = std::max({worst, std::abs(found.r - expected.r), std::abs(found.g - expected.g),
+                          std::abs(found.b - expected.b)});
+    }
+    RecordProperty("worst", std::to_string(worst / brightest));
+    RecordProperty("mean", std::to_string(sum / places / brightest));
+    EXPECT_LT(worst, 0.02 * brightest);
+    EXPECT_LT(sum / places, 0.003 * brightest);
+}
+
+/// cd/m2 per steradian that a thin cloud scatters to a viewer of a clear sky, by a fine grid.
+double of_whole_sky(const SkyLight& sky, const PhaseFunction& function, const Vec3& to_viewer) {
+    const SkyDistribution shares(sky);
+    constexpr int rows = 300, columns = 600;
+    double sum = 0;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < columns; ++j) {
+            const double z = (i + 0.5) / rows, azimuth = 2 * std::numbers::pi * (j + 0.5) / columns;
+            const double across = std::sqrt(1 - z * z);
+            const Vec3 towards(across * std::cos(azimuth), across * std::sin(azimuth), z);
+            sum += shares(towards) * phase(function, -towards.dot(to_viewer));
+        }
+    return sky.luminance.g * sum * 2 * std::numbers::pi / rows / columns;
+}
+
+/// Largest error of the few directions, relative to the brightest, over views from all round.
+double clear_sky_error(const PhaseFunction& function) {
+    LightRig rig;
+    const SkyLight sky{
+        .model = SkyModel::clear, .luminance = Rgb(3000), .sun = Vec3(0.5, 0.3, 0.6).normalized()};
+    rig.sources.push_back(sky);
+    double worst = 0, brightest = 0;
+    for (int i = 0; i < 24; ++i) {
+        const double azimuth = 2.4 * i, z = (i + 0.5) / 12 - 1, across = std::sqrt(1 - z * z);
+        const Vec3 to_viewer(across * std::cos(azimuth), across * std::sin(azimuth), z);
+        double sum = 0;
+        for (const ParallelLight& light : distant_lights(rig).surroundings)
+            sum += light.illuminance.g * phase(function, -light.towards.dot(to_viewer));
+        const double whole = of_whole_sky(sky, function, to_viewer);
+        worst = std::max(worst, std::abs(sum - whole)), brightest = std::max(brightest, whole);
+    }
+    return worst / brightest;
+}
+
+TEST(DistantLights, OfAClearSkyScatterAboutWhatTheWholeSkyDoes) {
+    EXPECT_LT(clear_sky_error(HazePhase{0}), 0.02);
+    EXPECT_LT(clear_sky_error(HenyeyGreenstein{0.3}), 0.05);
+    EXPECT_LT(clear_sky_error(HenyeyGreenstein{0.6}), 0.25);
 }
 
 TEST(DistantLights, HaveTheSolidAngleOfAllDirections) {

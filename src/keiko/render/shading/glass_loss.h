@@ -21,9 +21,7 @@ public:
     /// False where there is no glass.
     bool any() const { return any_; }
     /// Share by channel, 0 to 1, of the light of a lamp of a source that reaches a point. It is the
-    /// mean over a grid of places: 8 on a tube's axis, 4 x 4 in the rectangle of a panel, 2 x 2 x 2
-    /// in the box of a sphere. Of the sky it is that over 16 directions to each triangle of its
-    /// panel, by their solid angles. `root`: of the point, on a surface.
+    /// mean over its lamp_places(). `root`: of the point, on a surface.
     Rgb left(const PreparedSource& source, int lamp, const Vec3& point,
              const std::optional<Root>& root) const;
 

@@ -8,10 +8,12 @@
 #include "keiko/light/rig/luminance_along.h"
 #include "keiko/light/sky/sky_panels.h"
 #include "keiko/radiosity/reflected_light.h"
+#include "keiko/render/shading/texel_light.h"
 
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -46,12 +48,15 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
       rig_(scene.rig),
       lights_(rig_, scene.occluders, scene.casting()),
       glass_(scene.tracer, scene.materials, scene.caustics.has_value()),
+      matter_(scene.volumes, scene.texels),
       tubes_(scene.occluders ? options.tubes : TubeModel::preview),
       tells_illuminance_(std::count(options.aovs.begin(), options.aovs.end(), Aov::illuminance)),
       refines_(options.edge_samples > 1),
       keeps_hits_(refines_ || !options.aovs.empty()) {
     if (scene.volumes && scene.rig.medium)
         throw FieldError("volume", "stands in no fog: take either volumes or a rig with fog");
+    if (scene.texels && scene.rig.medium)
+        throw FieldError("texels", "stand in no fog: take either texels or a rig with fog");
     std::vector<Material> known;
     for (const Material& material : scene.materials) {
         const auto found = std::find(known.begin(), known.end(), material);
@@ -64,7 +69,9 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
     }
     if (scene.caustics)
         caustics_.emplace(scene.tracer, scene.materials, rig_, *scene.caustics, job);
-    if (scene.volumes) volumes_.emplace(*scene.volumes, scene.rig, job);
+    if (scene.volumes) volumes_.emplace(*scene.volumes, scene.rig, stops_of_light(), job);
+    if (scene.texels)
+        texels_.emplace(*scene.texels, light_on_texels(), even_luminance(scene.rig.ambient), job);
     if (eye) pencils_ = shaft_pencils(scene.rig, scene.occluders, scene.casting(), *eye, job);
 }
 
@@ -91,7 +98,7 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     if (path.inside)
         path.weight *= left_inside(*path.inside->glass(), leg_of(met.ray, met.hit));
     else {
-        pass_volumes(path, met, sample);
+        pass_matter(path, met, sample);
         pass_medium(path, met, shafts, sample);
     }
     if (!met.hit) {
@@ -145,7 +152,7 @@ void Integrator::record_aovs(const PathState& path, const PathVertex& met,
 
 HitDetail Integrator::mirrored_detail() const {
     const bool ends =
-        options_.max_depth <= 1 && !scene_.rig.medium && !scene_.volumes && mirrors_alone_;
+        options_.max_depth <= 1 && !scene_.rig.medium && !has_matter() && mirrors_alone_;
     return ends ? HitDetail::face : HitDetail::all;
 }
 
@@ -226,21 +233,57 @@ void Integrator::add_light_at(double t, const MirroredLight& light, PathState& p
         seen += light.coverage *
                 luminance_along(scene_.rig, leg, Rgb(0), shafts, picture_scattering_tolerance);
     }
-    if (volumes_ && !path.inside) {
-        const FrontToBack before = volumes_->along({ray.origin, ray.at(t)});
+    if (has_matter() && !path.inside) {
+        const FrontToBack before = matter_before(ray, ray.at(t));
         seen = before.light * light.coverage + seen * (1 - before.opacity);
     }
     sample.luminance += path.weight * seen;
     path.weight *= 1 - light.coverage;
 }
 
-void Integrator::pass_volumes(PathState& path, const PathVertex& met, PixelSample& sample) const {
-    if (!volumes_) return;
+StopOfLight Integrator::stops_of_light() const {
+    if (!scene_.occluders) return {};
+    return [this](const Vec3& from, const Vec3& direction) {
+        Ray way;
+        way.origin = from, way.direction = direction;
+        const auto hit = scene_.casting().nearest(way);
+        return hit ? hit->t : std::numeric_limits<double>::infinity();
+    };
+}
+
+LightsAt Integrator::light_on_texels() const {
+    return [this](const Vec3& place) {
+        return arriving_lights(rig_, lights_, glass_dims() ? &glass_ : nullptr, tubes_, place);
+    };
+}
+
+FrontToBack Integrator::matter_before(const Ray& ray, const Vec3& end) const {
+    FrontToBack sum;
+    Vec3 begin = ray.origin;
+    const auto add_volumes = [&](const Vec3& until) {
+        if (volumes_ && begin != until) sum.add(volumes_->along({begin, until}));
+        begin = until;
+    };
+    if (texels_) {
+        std::optional<RayDifferentials> spread = ray.differentials;
+        const double length = ray.direction.length();
+        if (spread) spread->direction_dx /= length, spread->direction_dy /= length;
+        for (const TexelLayer& layer : texels_->along({ray.origin, end}, spread)) {
+            add_volumes(ray.origin + ray.direction * (layer.begin / length));
+            sum.add(layer.sum);
+        }
+    }
+    add_volumes(end);
+    return sum;
+}
+
+void Integrator::pass_matter(PathState& path, const PathVertex& met, PixelSample& sample) const {
+    if (!has_matter()) return;
     const Vec3& eye = met.ray.origin;
-    const Vec3 end = met.hit
-                         ? met.hit->position
-                         : eye + met.ray.direction.normalized() * scene_.volumes->reach_from(eye);
-    const FrontToBack before = volumes_->along({eye, end});
+    const double reach = std::max(scene_.volumes ? scene_.volumes->reach_from(eye) : 0,
+                                  scene_.texels ? scene_.texels->reach_from(eye) : 0);
+    const Vec3 end = met.hit ? met.hit->position : eye + met.ray.direction.normalized() * reach;
+    const FrontToBack before = matter_before(met.ray, end);
     sample.luminance += path.weight * before.light;
     path.weight *= 1 - before.opacity;
 }
@@ -277,7 +320,7 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
     const Vec3& normal = point.place.normal;
     const PointLighting lit(rig_, point.place.position, normal, tubes_, lights, std::move(seen));
     std::vector<DirectLight> brought(lights.size());
-    const std::vector<Rgb> left = left_by_glass(point, lights);
+    const std::vector<Rgb> left = left_on_the_way(point, lights);
     const auto each = [&](const std::vector<Rgb>& values, const auto& add) {
         for (std::size_t i = 0; i < values.size(); ++i)
             add(brought[i], left.empty() ? values[i] : values[i] * left[i]);
@@ -305,13 +348,16 @@ std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
     return brought;
 }
 
-std::vector<Rgb> Integrator::left_by_glass(const ShadingPoint& point,
-                                           std::span<const LightId> lights) const {
+std::vector<Rgb> Integrator::left_on_the_way(const ShadingPoint& point,
+                                             std::span<const LightId> lights) const {
     if (!dims_light()) return {};
-    std::vector<Rgb> left(lights.size());
+    std::vector<Rgb> left(lights.size(), Rgb(1));
     const Vec3& place = point.place.position;
-    for (std::size_t i = 0; i < lights.size(); ++i)
-        left[i] = glass_.left(rig_.sources[lights[i].source], lights[i].lamp, place, point.root);
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+        const auto& [source, lamp] = lights[i];
+        if (glass_dims()) left[i] = glass_.left(rig_.sources[source], lamp, place, point.root);
+        if (matter_dims()) left[i] *= matter_.left(rig_.sources[source], lamp, place);
+    }
     return left;
 }
 

@@ -11,9 +11,11 @@
 #include "keiko/render/shading/direct_lighting.h"
 #include "keiko/render/shading/glass_loss.h"
 #include "keiko/render/shading/mapped_paint.h"
+#include "keiko/render/shading/matter_loss.h"
 #include "keiko/render/shading/occluded_visibility.h"
 #include "keiko/render/shading/paint.h"
 #include "keiko/render/shading/picture.h"
+#include "keiko/texels/lit_texels.h"
 #include "keiko/volumes/lit_volumes.h"
 
 #include <optional>
@@ -64,7 +66,7 @@ public:
     /// Visibility of some of the lights from a shading point.
     std::vector<LightVisibility> light_visibility(const ShadingPoint& point,
                                                   std::span<const LightId> lights) const;
-    /// See DirectLighting::may_occlude(); always true where glass may dim light.
+    /// See DirectLighting::may_occlude(); always true where something may dim light.
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
                      const std::optional<Vec3>& facing) const {
         return dims_light() || lights_.may_occlude(places, light, facing, tubes_);
@@ -151,10 +153,14 @@ private:
     };
 
     /// True if glass dims the light of lamps.
-    bool dims_light() const { return (scene_.occluders || scene_.caustics) && glass_.any(); }
-    /// Share of each of some lights at a point that glass leaves; empty if it does not dim.
-    std::vector<Rgb> left_by_glass(const ShadingPoint& point,
-                                   std::span<const LightId> lights) const;
+    bool glass_dims() const { return (scene_.occluders || scene_.caustics) && glass_.any(); }
+    /// True if volumes or texels dim it.
+    bool matter_dims() const { return scene_.occluders && matter_.any(); }
+    /// True if anything dims it, beside occluders.
+    bool dims_light() const { return glass_dims() || matter_dims(); }
+    /// Share of each of some lights at a point that reaches it; empty if nothing dims them.
+    std::vector<Rgb> left_on_the_way(const ShadingPoint& point,
+                                     std::span<const LightId> lights) const;
 
     /// Paint of a shading point, with its maps.
     const Paint& paint_of(const ShadingPoint& point) const {
@@ -248,8 +254,17 @@ private:
                     PixelSample& sample) const;
     void add_light_at(double t, const MirroredLight& light, PathState& path, const Ray& ray,
                       const VisibleFrom& shafts, PixelSample& sample) const;
-    /// Adds the light of volumes before a hit, and dims what is behind.
-    void pass_volumes(PathState& path, const PathVertex& met, PixelSample& sample) const;
+    /// True if there are volumes or texels.
+    bool has_matter() const { return volumes_ || texels_; }
+    /// Where surfaces stop light on its way to volumes; empty if they cast no shadows.
+    StopOfLight stops_of_light() const;
+    /// Lights that arrive at texels; refers to this.
+    LightsAt light_on_texels() const;
+    /// Light of volumes and texels along a ray up to a place on it, and their opacity. Within a
+    /// layer of texels they count as before any volume.
+    FrontToBack matter_before(const Ray& ray, const Vec3& end) const;
+    /// Adds the light of volumes and texels before a hit, and dims what is behind.
+    void pass_matter(PathState& path, const PathVertex& met, PixelSample& sample) const;
     void pass_medium(PathState& path, const PathVertex& met, const VisibleFrom& shafts,
                      PixelSample& sample) const;
 
@@ -264,8 +279,10 @@ private:
     PreparedRig rig_;
     DirectLighting lights_; ///< refers to rig_
     GlassLoss glass_;
+    MatterLoss matter_;
     std::optional<Caustics> caustics_;
     std::optional<LitVolumes> volumes_;
+    std::optional<LitTexels> texels_;
     TubeModel tubes_;
     bool tells_illuminance_, refines_, keeps_hits_;
     bool mirrors_alone_ = true; ///< no paint takes light, and there is no glass

@@ -18,6 +18,7 @@ namespace KEIKO_API keiko {
 
 class ReflectedLight;
 class SceneMaps;
+class SceneTexels;
 class SceneVolumes;
 
 /// Scene of a picture; keeps references to everything.
@@ -34,6 +35,7 @@ struct PictureScene {
     /// Light that surfaces reflect onto each other, in the place of the rig's ambient light; null:
     /// none.
     const ReflectedLight* reflected = nullptr;
+    const SceneTexels* texels = nullptr; ///< over surfaces; null: none
 
     /// Tracer of what casts shadows.
     const Tracer& casting() const { return occluders ? occluders->tracer() : tracer; }

@@ -147,7 +147,7 @@ Integrator::RayQueue Integrator::shade_hits(const ReflectionBuffer& mirrors,
         PixelMirror mirror;
         stripes.find(place, hit ? hit->t : std::numeric_limits<double>::infinity(), mirror);
         const bool reads_ray =
-            hit || scene_.rig.medium || scene_.volumes || !areas_.empty() || sees_beyond();
+            hit || scene_.rig.medium || has_matter() || !areas_.empty() || sees_beyond();
         if (reads_ray) ray = mirrors.grid.ray(place);
         const FresnelTerm incidence = hit ? this->incidence(ray, *hit, 1) : FresnelTerm();
         const Onward onward =
