@@ -49,6 +49,7 @@ SCENES = {
     "fog-sun-window": ("sun-window-scene", SHADED, (960, 540)),
     "fog-tunnel": ("foggy-tunnel-scene", SHADED, (800, 450)),
     "brushed-steel": ("brushed-scene", SHADED, (1200, 320)),
+    "fur": ("fur-scene", SHADED, (960, 540)),
     "casting": ("casting-scene", ("--tone", "reinhard"), (960, 540)),
     "caustics": ("caustics-scene", SHADED, (960, 540)),
     "caustics-ripples": ("ripples-scene", SHADED, (960, 540)),
