@@ -33,7 +33,7 @@ public:
     void finish();
 
     /// Fibres at a place from 0 to 1 along each side, trilinear between the middles of voxels; it
-    /// repeats along x and y. `level` of which 0 is the finest, at most coarsest().
+    /// repeats along x and y. `level`: from 0, the finest, to coarsest().
     Fibres at(const Vec3& place, int level) const;
     /// Number of the coarsest level.
     int coarsest() const { return static_cast<int>(levels_.size()) - 1; }

@@ -70,7 +70,7 @@ inline std::vector<WrongValue> wrong_numbers(const json& number) {
     std::vector<WrongValue> wrong = beyond_limits(number);
     wrong.push_back({"\"x\"", whole ? "must be a whole number" : "must be a number"});
     wrong.push_back({"nan", "must be a finite number"});
-    if (whole) wrong.push_back({"1.5", "must be a whole number"});
+    if (whole) wrong.push_back({number["minimum"].dump() + ".5", "must be a whole number"});
     return wrong;
 }
 

@@ -72,23 +72,27 @@ TEST(TexelTable, ReadsEveryKeyOfCloth) {
 }
 
 TEST(TexelTable, RefusesWithLineColumnAndRange) {
-    EXPECT_EQ(refused("thickness = 1"), "paints.toml:5:2: material.texels: kind is missing");
-    EXPECT_EQ(refused("kind = \"fur\""), "paints.toml:5:2: material.texels: thickness is missing");
+    EXPECT_EQ(refused("thickness = 1"), "paints.toml:5:1: material[0].texels: 'kind' is missing");
+    EXPECT_EQ(refused("kind = \"fur\""),
+              "paints.toml:5:1: material[0].texels: 'thickness' is missing");
     EXPECT_EQ(refused("kind = \"fur\"\nthickness = 0"),
-              "paints.toml:7:13: material.texels.thickness: must be from 0.01 to 10000");
+              "paints.toml:7:13: material[0].texels.thickness: must be at least 0.01 and at most "
+              "10000, is 0");
     EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nweave = \"twill\""),
-              "paints.toml:8:9: material.texels.weave: belongs to kind = \"cloth\"");
+              "paints.toml:8:9: material[0].texels.weave: belongs to kind = \"cloth\"");
     EXPECT_EQ(refused("kind = \"cloth\"\nthickness = 5\nhairs = 3"),
-              "paints.toml:8:9: material.texels.hairs: belongs to kind = \"fur\"");
+              "paints.toml:8:9: material[0].texels.hairs: belongs to kind = \"fur\"");
     EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nvoxels = 48"),
-              "paints.toml:8:10: material.texels.voxels: must be a power of two: 8, 16, 32, 64 "
+              "paints.toml:8:10: material[0].texels.voxels: must be a power of two: 8, 16, 32, 64 "
               "or 128");
-    EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nhairs = 30000"),
-              "paints.toml:8:9: material.texels.hairs: are 120000 in a block of which it may have "
-              "100000");
-    EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\ndiffuse = 0.7\nspecular = 0.4"),
-              "paints.toml:9:12: material.texels.specular: reflects with diffuse more light than "
-              "arrives: their sum is above 1");
+    EXPECT_EQ(
+        refused("kind = \"fur\"\nthickness = 5\nhairs = 30000"),
+        "paints.toml:8:9: material[0].texels.hairs: are 120000 in a block of which it may have "
+        "100000");
+    EXPECT_EQ(
+        refused("kind = \"fur\"\nthickness = 5\ndiffuse = 0.7\nspecular = 0.4"),
+        "paints.toml:9:12: material[0].texels.specular: reflects with diffuse more light than "
+        "arrives: their sum is above 1");
 }
 
 } // namespace

@@ -27,7 +27,7 @@ TEST(FibreBlock, OfFurHidesTheWidthTimesTheLengthOfItsHairs) {
     spec.fibres = FurSpec{.hairs = 100, .length = 10, .variation = 0, .width = 0.05, .block = 16};
     const TexelBlock block = fibre_block(spec);
     const double hairs = 256; // 16 mm x 16 mm
-    // What of the roots would lie below the block is lost: half a voxel, shared by two.
+    // Roots lose the share that their lowest voxel would give to one below the block.
     const double voxel = block.size().z / block.voxels()[2];
     const double expected = hairs * 10 * 0.05;
     EXPECT_NEAR(total(block, 0), expected, hairs * voxel * 0.05 / 4);

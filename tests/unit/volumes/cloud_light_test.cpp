@@ -351,6 +351,41 @@ TEST(DistantLights, OfAClearSkyScatterAboutWhatTheWholeSkyDoes) {
     EXPECT_LT(clear_sky_error(HenyeyGreenstein{0.6}), 0.25);
 }
 
+/// A soft ball of 33 nodes 10 mm apart, up to 5 deep, with samples `step` mm apart.
+SceneVolumes soft_ball(double step) {
+    std::vector<float> values;
+    for (int k = 0; k < 33; ++k)
+        for (int j = 0; j < 33; ++j)
+            for (int i = 0; i < 33; ++i)
+                values.push_back(static_cast<float>(
+                    std::clamp(1 - (Vec3(i, j, k) - Vec3(16)).length() / 15, 0.0, 1.0)));
+    VolumeSpec spec;
+    spec.voxels.spacing = Vec3(10);
+    spec.extinction.points = {{0, 0}, {1, 30}};
+    spec.scattering = VolumeScattering{.phase = HenyeyGreenstein{0.4}};
+    spec.step = step;
+    std::vector<Volume> volumes;
+    volumes.emplace_back(spec, VoxelGrid({33, 33, 33}, values), Job{});
+    return SceneVolumes(std::move(volumes));
+}
+
+TEST(CloudLight, DoesNotDependOnTheStepByMoreThanALevelOfDisplays) {
+    LightRig rig;
+    rig.ambient = Rgb(500);
+    rig.sources.push_back(Sun{.direction = Vec3(1, -2, -2), .illuminance = Rgb(5000)});
+    const SceneVolumes usual = soft_ball(0), fine = soft_ball(0.7), finer = soft_ball(0.25);
+    const LitVolumes lit(usual, rig), with_fine(fine, rig), with_finer(finer, rig);
+    double worst = 0, brightest = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Segment way{Vec3(-200, 40 + 4 * i, 300 - 3 * i), Vec3(500, 60 + 3 * i, 50 + 2 * i)};
+        const double light = lit.along(way).light.g;
+        brightest = std::max(brightest, light);
+        worst = std::max({worst, std::abs(light - with_fine.along(way).light.g),
+                          std::abs(light - with_finer.along(way).light.g)});
+    }
+    EXPECT_LT(worst, brightest / 255);
+}
+
 TEST(DistantLights, HaveTheSolidAngleOfAllDirections) {
     LightRig rig;
     rig.ambient = Rgb(std::numbers::pi);

@@ -29,7 +29,7 @@ void take_curl(const TomlTable& table, FurSpec& fur) {
 FurSpec fur_from(const TomlTable& table, double thickness) {
     FurSpec fur;
     fur.length = thickness;
-    take(table, "hairs", {.low = 0, .high = 1e5, .above_low = true}, fur.hairs);
+    take(table, "hairs", {.low = 0.001, .high = 1e5}, fur.hairs);
     take(table, "length", sizes, fur.length);
     take(table, "variation", TomlLimits::share(), fur.variation);
     take(table, "width", {.low = 0.001, .high = 100}, fur.width);
@@ -51,7 +51,7 @@ ClothSpec cloth_from(const TomlTable& table) {
     cloth.weave =
         static_cast<Weave>(table.choice("weave", {"plain", "twill", "satin"}).value_or(0));
     take(table, "spacing", sizes, cloth.spacing);
-    take(table, "extinction", {.low = 0, .high = 1e4, .above_low = true}, cloth.extinction);
+    take(table, "extinction", {.low = 0.001, .high = 1e4}, cloth.extinction);
     return cloth;
 }
 

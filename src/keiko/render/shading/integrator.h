@@ -256,7 +256,7 @@ private:
                       const VisibleFrom& shafts, PixelSample& sample) const;
     /// True if there are volumes or texels.
     bool has_matter() const { return volumes_ || texels_; }
-    /// Where surfaces stop light on its way to volumes; empty if they cast no shadows.
+    /// Distances at which surfaces stop light; empty if they cast no shadows.
     StopOfLight stops_of_light() const;
     /// Lights that arrive at texels; refers to this.
     LightsAt light_on_texels() const;

@@ -13,9 +13,9 @@ struct LampPlace {
     double weight = 1; ///< its part of the lamp's light, in any unit
 };
 
-/// Places that stand for a lamp of a source as a point sees it: 8 on a tube's axis, 4 x 4 in the
-/// rectangle of a panel, 2 x 2 x 2 in the box of a sphere, 16 in each triangle of a panel of the
-/// sky, by their solid angles, and one of a light without extent. Empty where there is no light.
+/// Places that stand for a lamp of a source as a point sees it; none where it has no light. A tube
+/// has 8 on its axis, a panel 4 x 4 in its rectangle, a sphere 2 x 2 x 2 in its box. A panel of the
+/// sky has 16 in each triangle, by their solid angles. A light without extent has one.
 std::vector<LampPlace> lamp_places(const PreparedSource& source, int lamp, const Vec3& point);
 
 } // namespace keiko
