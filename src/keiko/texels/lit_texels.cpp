@@ -111,7 +111,8 @@ Rgb LitTexels::luminance(const Seen& seen, const Vec3& fibre,
 void LitTexels::add_run(std::size_t number, const ShellRun& run, const Vec3& to_viewer, int level,
                         FrontToBack& sum) const {
     const TexelShell& shell = texels_.shells()[number];
-    const double step = shell.step(level);
+    // Wide rays, whose voxels may be longer than the shell is thick, have several samples in it.
+    const double step = std::min(shell.step(level), shell.spec().thickness / 8);
     std::optional<std::vector<ArrivingLight>> lights;
     // Samples of all runs lie in the same steps from 0 on, so that none is there twice.
     for (double k = std::ceil(run.begin / step - 0.5); (k + 0.5) * step < run.end; ++k) {

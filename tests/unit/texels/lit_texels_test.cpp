@@ -118,6 +118,19 @@ TEST(LitTexels, OfWideRaysAreTheMeanOfNarrowOnes) {
     EXPECT_NEAR(mean / narrow, 1, 0.25); // means hide more than what they are means of
 }
 
+TEST(LitTexels, AreNotSteppedOverByWideRays) {
+    TexelSpec cloth;
+    cloth.thickness = 2, cloth.voxels = 64;
+    cloth.fibres = ClothSpec{.spacing = 16};
+    const SceneTexels texels = plate_with(cloth);
+    const LitTexels lit(texels, light_from(Vec3(0, 0, 1), 1000), Rgb(0));
+    const RayDifferentials wide{Vec3(40, 0, 0), Vec3(0, 40, 0), Vec3(0), Vec3(0)};
+    for (int i = 0; i < 20; ++i) {
+        const Segment down{Vec3(200 + i, 200, 10 + 0.1 * i), Vec3(200 + i, 203, -0.1)};
+        EXPECT_GT(sum_of(lit.along(down, wide)).opacity, 0.9) << i;
+    }
+}
+
 TEST(LitTexels, KeepTheOrderOfLayersAlongARay) {
     test::ModelBuilder builder;
     builder.plane(Vec3(0), Vec3(100, 0, 0), Vec3(0, 100, 0));
