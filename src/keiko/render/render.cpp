@@ -3,8 +3,8 @@
 #include "keiko/render/antialias/edge_detection.h"
 #include "keiko/render/antialias/edge_pixel_lighting.h"
 #include "keiko/render/antialias/edge_refinement.h"
+#include "keiko/render/lighting/fitted_light.h"
 #include "keiko/render/lighting/light_interpolation.h"
-#include "keiko/render/lighting/unshadowed_light.h"
 #include "keiko/render/tiles.h"
 
 #include <map>
@@ -39,7 +39,7 @@ std::vector<EdgeCell> outlined_cells(const Tile& tile, std::span<const Outline> 
 /// Places of one branch, each with the points that have its light, and their samples.
 struct LitTogether {
     struct Taker {
-        const ShadingPoint* point;
+        ShadingPoint* point;
         PixelSample* sample;
     };
 
@@ -51,7 +51,7 @@ struct LitTogether {
 std::map<std::uint64_t, LitTogether> lit_places(int width, const std::vector<bool>& in_parts,
                                                 SampleBatch& view, RefinedPixels& refined) {
     std::map<std::uint64_t, LitTogether> all;
-    for (const ShadingPoint& point : view.points) {
+    for (ShadingPoint& point : view.points) {
         if (in_parts[point.sample]) continue;
         const auto number = static_cast<int>(point.sample);
         PixelSample& sample = view.samples[point.sample];
@@ -59,6 +59,9 @@ std::map<std::uint64_t, LitTogether> lit_places(int width, const std::vector<boo
         lit.places.push_back({{number % width, number / width}, &point, sample.luminance});
         lit.takers.push_back({{&point, &sample}});
     }
+    const auto taker = [&](const OutlineSpot& spot) {
+        return &refined.points[static_cast<std::size_t>(spot.point - refined.points.data())];
+    };
     for (const SharedPlace& shared : shared_places(width, refined)) {
         const ShadingPoint& point = *shared.lit.point;
         LitTogether& lit = all[point.branch];
@@ -68,29 +71,35 @@ std::map<std::uint64_t, LitTogether> lit_places(int width, const std::vector<boo
         lit.places.push_back({shared.lit.pixel, &point, sample(point)->luminance});
         lit.takers.emplace_back();
         for (const OutlineSpot& spot : shared.points)
-            lit.takers.back().push_back({spot.point, sample(*spot.point)});
+            lit.takers.back().push_back({taker(spot), sample(*spot.point)});
     }
     return all;
+}
+
+/// Adds the smooth lights of a tile to the known light of its shading points; see fitted_light().
+void find_smooth_light(const Integrator& integrator, int width, double error,
+                       const std::vector<bool>& in_parts, SampleBatch& view,
+                       RefinedPixels& refined) {
+    const std::vector<LightId> lights = integrator.smooth_lights();
+    if (lights.empty()) return;
+    for (const auto& [branch, lit] : lit_places(width, in_parts, view, refined)) {
+        const std::vector<DirectLight> light = fitted_light(integrator, lights, lit.places, error);
+        for (std::size_t i = 0; i < light.size(); ++i)
+            for (const auto& [point, sample] : lit.takers[i]) point->known += light[i];
+    }
 }
 
 /// Adds the light of all shading points of a tile, `width` pixels in a row, to their samples: of
 /// the pixels of one ray, `view`, and of the parts of the others. The samples in `view` of pixels
 /// in parts are left as they are. The light may deviate by `error` of the visible luminance where
-/// it is tested; see light_interpolation(), add_shared_light() and unshadowed_light().
+/// it is tested; see light_interpolation(), add_shared_light() and fitted_light().
 void add_tile_light(const Integrator& integrator, int width, double error, SampleBatch& view,
                     RefinedPixels& refined) {
     std::vector<bool> in_parts(view.samples.size());
     for (const Subpixel& part : refined.parts) in_parts[part.pixel] = true;
-    if (!integrator.light_is_smooth()) {
-        add_shared_light(integrator, width, error, refined);
-        return add_interpolated_light(integrator, width, in_parts, error, view);
-    }
-    for (const auto& [branch, lit] : lit_places(width, in_parts, view, refined)) {
-        const std::vector<DirectLight> light = unshadowed_light(integrator, lit.places, error);
-        for (std::size_t i = 0; i < light.size(); ++i)
-            for (const auto& [point, sample] : lit.takers[i])
-                integrator.add_light(*point, light[i], *sample);
-    }
+    find_smooth_light(integrator, width, error, in_parts, view, refined);
+    add_shared_light(integrator, width, error, refined);
+    add_interpolated_light(integrator, width, in_parts, error, view);
 }
 
 /// Replaces the luminance of pixels by the mean over their parts.

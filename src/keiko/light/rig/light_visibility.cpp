@@ -14,8 +14,9 @@ namespace {
 /// Error allowed in the penumbrae of a source, as a share of its illuminance: half of the error of
 /// the whole system.
 constexpr double width_tolerance = 5e-5, width_tolerance_in_pictures = 3e-3;
-/// Error allowed in the visible share of a quarter of the sky.
-constexpr double sky_tolerance_in_pictures = 1e-2;
+/// Error allowed in the visible light of a panel of the sky, as a share of the light of all of it
+/// past no body, and the largest of that in the panel's own light.
+constexpr double sky_tolerance_in_pictures = 2.5e-3, panel_tolerance = 0.1;
 /// Widest spacing between lines of equal visibility, as a share of half a source's width, by the
 /// angle around a tube.
 constexpr double widest_spacing = 0.12, widest_spacing_in_pictures = 1;
@@ -27,9 +28,11 @@ WidthOptions width_accuracy(bool in_picture) {
 
 /// In pictures outlines between lines are not searched for: a quarter of the sky has all of a
 /// body's.
-WidthOptions sky_accuracy(bool in_picture) {
+/// `share`: of the panel's light in that of the whole sky.
+WidthOptions sky_accuracy(double share, bool in_picture) {
     WidthOptions options = width_accuracy(in_picture);
-    if (in_picture) options.tolerance = sky_tolerance_in_pictures;
+    if (in_picture)
+        options.tolerance = std::min(sky_tolerance_in_pictures / share, panel_tolerance);
     options.tapers = in_picture;
     return options;
 }
@@ -85,9 +88,11 @@ public:
         seen.reserve(asked_.size());
         for (const int number : asked_) {
             const auto panel = sky_panel(sky, number, point_);
-            seen.push_back(share_seen(panel ? visible_share(sky, *panel, point_, normal_, visible_,
-                                                            sky_accuracy(in_picture()))
-                                            : 0));
+            seen.push_back(share_seen(
+                panel ? visible_share(
+                            sky, *panel, point_, normal_, visible_,
+                            sky_accuracy(panel_share(sky, *panel, point_, normal_), in_picture()))
+                      : 0));
         }
         return seen;
     }
@@ -163,9 +168,9 @@ bool alike(const LightVisibility& a, const LightVisibility& b) {
            std::equal(a.axis.begin(), a.axis.end(), b.axis.begin(), b.axis.end(), same_ends);
 }
 
-double share_resolution(const PreparedSource& source) {
+bool is_open_sky(const PreparedSource& source) {
     const auto* sky = std::get_if<SkyLight>(&source.kind());
-    return sky && sky->windows.empty() ? 15 : 0;
+    return sky && sky->windows.empty();
 }
 
 bool weighs_width(const CPlane& plane, TubeModel model) {

@@ -20,11 +20,8 @@ std::optional<LightVisibility> between(const LightVisibility& a, const LightVisi
 /// points that do not, its light has a kink.
 bool alike(const LightVisibility& a, const LightVisibility& b);
 
-/// Largest difference of two visible shares of a light that a picture need not tell apart, as a
-/// multiple of its allowed error. It is 15 of a quarter of an open sky, whose light is a part of
-/// that of all quarters. Of any other light, and of a sky in windows, it is 0
-/// (docs/decisions/0015-light-between-pixels.md).
-double share_resolution(const PreparedSource& source);
+/// True for a sky that no window bounds.
+bool is_open_sky(const PreparedSource& source);
 
 /// True if a model of a row weighs shadows over the whole width of the lamps, as all models of the
 /// whole tube do. `model`: the requested one, which a row that names its own overrides.

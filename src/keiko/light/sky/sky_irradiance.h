@@ -16,6 +16,12 @@ double unobstructed_illuminance(const SkyLight& sky, const Vec3& normal);
 Rgb illuminance_from(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                      const Vec3& normal);
 
+/// About the share of a panel in the light that an open sky and its ground bring past no body: by
+/// solid angles, both sky and ground being even and as bright as at their best; a quarter where
+/// there are windows, and where there is no light at all.
+double panel_share(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
+                   const Vec3& normal);
+
 /// Visible share, 0 to 1, of that illuminance: past bodies, and without the directions that windows
 /// before the panel's own show as well; 1 if the panel sends no light.
 double visible_share(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,

@@ -76,12 +76,16 @@ double allowed_deviation(double luminance, double error, const std::optional<dou
 } // namespace
 
 ErrorBudget::ErrorBudget(const Integrator& integrator, const ShadingPoint& point, const Rgb& seen,
-                         const DirectLight& total, double error)
+                         const DirectLight& total, double error, const DirectLight& besides)
     : weight_(point.weight),
       sent_(integrator.luminance(point, {Rgb(1), {}, 0})),
-      incident_(error * total.incident) {
-    const double shown = max_channel(seen + weight_ * integrator.luminance(point, total));
-    luminance_ = allowed_deviation(shown, error, integrator.white());
+      incident_(error * (total + point.known).incident + besides.incident) {
+    const auto shown_by = [&](const DirectLight& light) {
+        return weight_ * integrator.luminance(point, light);
+    };
+    const double shown = max_channel(seen + shown_by(total + point.known));
+    luminance_ =
+        allowed_deviation(shown, error, integrator.white()) + max_channel(shown_by(besides));
     share_ = shown > 0 ? luminance_ / shown : error;
 }
 

@@ -42,9 +42,9 @@ class ErrorBudget {
 public:
     /// Budget of `error` of the visible luminance there, which is `seen` besides the light `total`,
     /// or of what PictureOptions::white makes of it; `error` itself applies to that light's
-    /// illuminance.
+    /// illuminance. `besides`: what the light may be off in any case.
     ErrorBudget(const Integrator& integrator, const ShadingPoint& point, const Rgb& seen,
-                const DirectLight& total, double error);
+                const DirectLight& total, double error, const DirectLight& besides = {});
 
     /// Share of the budget that an error of the light uses up: infinite if nothing is allowed, or
     /// the error is NaN.

@@ -164,18 +164,10 @@ void InterpolationTest::test_seen(const Rectangle& r, const std::vector<Test>& t
         }
 }
 
-/// Shares alone have a resolution: such a light is seen as a whole, in part or not at all.
-bool InterpolationTest::resolves(std::size_t light, const LightVisibility& a,
-                                 const LightVisibility& b) const {
-    const double resolution = error_ * integrator_.share_resolution(integrator_.lights()[light]);
-    return a.axis != b.axis || a.cap != b.cap || std::abs(a.share - b.share) > resolution;
-}
-
 std::optional<DirectLight> InterpolationTest::wrong_if_seen_linearly(const LinearlySeen& linear,
                                                                      const Pixel& p) const {
     const auto seen = seen_between_corners(lights_, grid_, linear, p);
     if (!seen) return std::nullopt;
-    if (!resolves(linear.light, *seen, lights_.seen(p.x, p.y, linear.light))) return DirectLight();
     return lights_.if_seen(p.x, p.y, linear.light, *seen) - lights_.light(p.x, p.y, linear.light);
 }
 

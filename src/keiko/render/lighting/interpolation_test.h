@@ -210,7 +210,6 @@ private:
               std::vector<LightError>& errors) const;
     void test_seen(const Rectangle& r, const std::vector<Test>& tests, double most,
                    std::vector<LightError>& errors) const;
-    bool resolves(std::size_t light, const LightVisibility& a, const LightVisibility& b) const;
     std::optional<DirectLight> wrong_if_seen_linearly(const LinearlySeen& linear,
                                                       const Pixel& p) const;
 

@@ -13,21 +13,11 @@ namespace {
 /// of it may be missed on curved surfaces and where the light is partly hidden anyway, those of
 /// less than two pixels anywhere.
 constexpr int largest_square = 16;
-/// Pixels a side of the largest squares under an open sky alone, whose shadows are wide.
-constexpr int largest_square_outdoors = 32;
 /// Pixels a side of squares that consist of their corners and middles only.
 constexpr int all_asked = 2;
 /// Share of the remaining error for lights interpolated over one size of squares. The rest is for
 /// smaller squares, beside the edges of shadows.
 constexpr double share_of_a_size = 0.5;
-
-int largest_square_under(const Integrator& integrator) {
-    const std::span<const LightId> lights = integrator.lights();
-    const bool outdoors = std::all_of(lights.begin(), lights.end(), [&](const LightId& light) {
-        return integrator.share_resolution(light) > 0;
-    });
-    return outdoors ? largest_square_outdoors : largest_square;
-}
 
 class Interpolation {
 public:
@@ -37,7 +27,6 @@ public:
           grid_(grid),
           skipped_(skipped),
           error_(error),
-          largest_(largest_square_under(integrator)),
           lights_(integrator, grid),
           trial_(integrator, grid, seen, error, lights_),
           light_(grid.size()) {}
@@ -86,7 +75,8 @@ private:
     }
     InterpolationTest::Accepted tell(const Rectangle& r, const LightPolynomial& known,
                                      const UnresolvedLights& open, double& left) {
-        if (!(error_ > 0) || r.longest() > largest_ || !grid_.is_smooth(r.x0, r.y0, r.x1, r.y1))
+        if (!(error_ > 0) || r.longest() > largest_square ||
+            !grid_.is_smooth(r.x0, r.y0, r.x1, r.y1))
             return {};
         double allowed = left * share_of_a_size;
         const double kept = left - allowed;
@@ -126,7 +116,6 @@ private:
     const ShadingGrid& grid_;
     const std::vector<bool>& skipped_;
     double error_;
-    int largest_; ///< pixels a side of a square
     LightSamples lights_;
     InterpolationTest trial_; ///< of the lights
     std::vector<DirectLight> light_;

@@ -2,22 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 namespace keiko {
 
 LightSamples::LightSamples(const Integrator& integrator, const ShadingGrid& grid)
-    : integrator_(integrator),
-      grid_(grid),
-      numbers_(integrator.lights().size()),
-      spots_(grid.size(), &memory_) {
-    std::iota(numbers_.begin(), numbers_.end(), std::size_t{0});
+    : integrator_(integrator), grid_(grid), spots_(grid.size(), &memory_) {
+    for (std::size_t i = 0; i < integrator.lights().size(); ++i)
+        if (!integrator.is_smooth(integrator.lights()[i])) numbers_.push_back(i);
 }
 
 LightSamples::Spot& LightSamples::point(int x, int y) {
     Spot& point = spots_[grid_.index(x, y)];
-    if (point.empty()) point.resize(numbers_.size());
+    if (point.empty()) point.resize(integrator_.lights().size());
     return point;
 }
 

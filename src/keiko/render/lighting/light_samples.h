@@ -19,7 +19,7 @@ public:
     /// Keeps references to both.
     LightSamples(const Integrator& integrator, const ShadingGrid& grid);
 
-    /// Numbers of all lights.
+    /// Numbers of all lights, except smooth ones, which are fitted.
     std::span<const std::size_t> numbers() const { return numbers_; }
     /// Computes the light of some lights at a place from their known visibility there, certain or
     /// not; if it is unknown, it is computed.

@@ -56,12 +56,13 @@ struct ShadingPoint {
     /// Way to it: 0 from the eye; from the place b by mirror reflection 2 b + 1, through it 2 b
     /// + 2.
     std::uint64_t branch = 0;
-    SurfacePlace place{};   ///< its normal on the side of the viewer
-    Root root{};            ///< of the hit, for rays from the point to leave out
-    Vec3 eye{0};            ///< unit, towards the viewer
-    Rgb weight{};           ///< weight of its luminance in the sample
-    Vec3 along{0};          ///< of the scratches of a brushed paint, of any length
-    DirectLight caustics{}; ///< which is not interpolated
+    SurfacePlace place{}; ///< its normal on the side of the viewer
+    Root root{};          ///< of the hit, for rays from the point to leave out
+    Vec3 eye{0};          ///< unit, towards the viewer
+    Rgb weight{};         ///< weight of its luminance in the sample
+    Vec3 along{0};        ///< of the scratches of a brushed paint, of any length
+    /// Light that is found already: of caustics, and what is fitted over a tile.
+    DirectLight known{};
     /// Its own paint and whether its light may be interpolated; of places with maps alone.
     std::shared_ptr<const MappedPaint> mapped{};
 };

@@ -114,7 +114,7 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
     if (takes_light(paint, path.branch)) {
         view.points.push_back(shading_point_at(path, met));
         view.points.back().mapped = mapped;
-        if (caustics_) view.points.back().caustics = caustic_light(view.points.back(), met);
+        if (caustics_) view.points.back().known = caustic_light(view.points.back(), met);
         sample.lit = true;
         sample.luminance += path.weight * ambient_luminance(view.points.back());
     }
@@ -297,13 +297,20 @@ void Integrator::pass_medium(PathState& path, const PathVertex& met, const Visib
     path.weight *= transmittance(*scene_.rig.medium, leg);
 }
 
-bool Integrator::light_is_smooth() const {
+bool Integrator::lamps_are_smooth() const {
     const auto is_row = [](const LightSource& source) {
         return std::holds_alternative<CPlane>(source);
     };
     const LightRig& rig = scene_.rig;
     return !scene_.occluders && !rig.medium &&
            std::all_of(rig.sources.begin(), rig.sources.end(), is_row);
+}
+
+std::vector<LightId> Integrator::smooth_lights() const {
+    std::vector<LightId> smooth;
+    for (const LightId& light : lights())
+        if (is_smooth(light)) smooth.push_back(light);
+    return smooth;
 }
 
 std::vector<LightVisibility> Integrator::light_visibility(const ShadingPoint& point,
@@ -361,12 +368,25 @@ std::vector<Rgb> Integrator::left_on_the_way(const ShadingPoint& point,
     return left;
 }
 
-DirectLight Integrator::direct_light(const ShadingPoint& point) const {
+namespace {
+
+DirectLight sum_of(std::span<const DirectLight> lights) {
     DirectLight sum;
-    for (const DirectLight& of_light :
-         direct_light(point, lights(), light_visibility(point, lights())))
-        sum += of_light;
+    for (const DirectLight& light : lights) sum += light;
     return sum;
+}
+
+} // namespace
+
+DirectLight Integrator::direct_light(const ShadingPoint& point,
+                                     std::span<const LightId> lights) const {
+    return sum_of(direct_light(point, lights, light_visibility(point, lights)));
+}
+
+DirectLight Integrator::unoccluded_light(const ShadingPoint& point,
+                                         std::span<const LightId> lights) const {
+    const LightVisibility whole{IntervalSet::whole()};
+    return sum_of(direct_light(point, lights, std::vector(lights.size(), whole)));
 }
 
 Rgb Integrator::luminance(const ShadingPoint& point, const DirectLight& light) const {
@@ -389,7 +409,7 @@ Rgb Integrator::luminance(const ShadingPoint& point, const Ray& mirrored) const 
 
 void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
                            PixelSample& sample) const {
-    const DirectLight all = light + point.caustics;
+    const DirectLight all = light + point.known;
     sample.luminance += point.weight * luminance(point, all);
     if (point.branch == 0) sample.illuminance = all.incident;
 }

@@ -52,12 +52,24 @@ public:
     /// Sample of a camera ray that misses the scene, without a medium or a sky.
     PixelSample unseen() const;
     /// Light of all lamps and other sources at a shading point.
-    DirectLight direct_light(const ShadingPoint& point) const;
+    DirectLight direct_light(const ShadingPoint& point) const {
+        return direct_light(point, lights());
+    }
+    /// Light of some of them together.
+    DirectLight direct_light(const ShadingPoint& point, std::span<const LightId> lights) const;
+    /// The same past no body.
+    DirectLight unoccluded_light(const ShadingPoint& point, std::span<const LightId> lights) const;
     /// All lights, in the order in which they are queried.
     const std::vector<LightId>& lights() const { return lights_.lights(); }
-    /// True if no light has an edge on a smooth surface: all are rows of tubes, nothing casts
-    /// shadows, and there is no medium.
-    bool light_is_smooth() const;
+    /// True if the light of one of them has no edge on a smooth surface: that of an open sky, and
+    /// of all where all are rows of tubes, nothing casts shadows, and there is no medium.
+    bool is_smooth(const LightId& light) const { return lamps_are_smooth() || is_open_sky(light); }
+    /// Lights for which is_smooth().
+    std::vector<LightId> smooth_lights() const;
+    /// See keiko::is_open_sky().
+    bool is_open_sky(const LightId& light) const {
+        return keiko::is_open_sky(rig_.sources[light.source]);
+    }
     /// True if the paint at a shading point has lobes, whose light depends on the eye as well.
     bool has_lobes(const ShadingPoint& point) const {
         const Paint& paint = paint_of(point);
@@ -70,10 +82,6 @@ public:
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
                      const std::optional<Vec3>& facing) const {
         return dims_light() || lights_.may_occlude(places, light, facing, tubes_);
-    }
-    /// See keiko::share_resolution().
-    double share_resolution(const LightId& light) const {
-        return keiko::share_resolution(rig_.sources[light.source]);
     }
     /// Light of each of some lights at a shading point, with the visibility `seen` of each.
     std::vector<DirectLight> direct_light(const ShadingPoint& point,
@@ -92,10 +100,11 @@ public:
     /// base and lobes, and what the surface reflects of the ray `mirrored` from there. Glass passes
     /// nothing.
     Rgb luminance(const ShadingPoint& point, const Ray& mirrored) const;
-    /// Adds the luminance by `light` and by caustics to the sample of a shading point.
+    /// Adds the luminance by `light` and by the known light to the sample of a shading point.
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 
 private:
+    bool lamps_are_smooth() const;
     /// lx on a shading point from surfaces, or else the rig's ambient light.
     Rgb ambient_illuminance(const ShadingPoint& point) const;
 

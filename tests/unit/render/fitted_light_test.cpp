@@ -1,6 +1,5 @@
-#include "keiko/render/lighting/unshadowed_light.h"
-
 #include "keiko/film/tone_mapping.h"
+#include "keiko/render/lighting/fitted_light.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>
@@ -96,7 +95,7 @@ std::vector<double> errors_of_square(const Stage& stage, double allowed) {
     for (std::size_t i = 0; i < points.size(); ++i)
         places.push_back(
             {{static_cast<int>(i % 24), static_cast<int>(i / 24)}, &points[i], Rgb(0)});
-    const std::vector<DirectLight> light = unshadowed_light(integrator, places, allowed);
+    const std::vector<DirectLight> light = fitted_light(integrator, integrator.lights(), places, allowed);
     std::vector<double> errors;
     for (std::size_t i = 0; i < points.size(); ++i)
         errors.push_back(light[i].illuminance.g / integrator.direct_light(points[i]).illuminance.g -
@@ -106,21 +105,21 @@ std::vector<double> errors_of_square(const Stage& stage, double allowed) {
 
 } // namespace
 
-TEST(UnshadowedLight, IsHardlyOffByMoreThanAllowed) {
+TEST(FittedLight, IsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(domed_plate(), 1, 0.7);
 }
 
-TEST(UnshadowedLight, OfLobesIsHardlyOffByMoreThanAllowed) {
+TEST(FittedLight, OfLobesIsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(glossy(domed_plate()), 1, 0.15);
 }
 
-TEST(UnshadowedLight, OfPixelsInPartsIsHardlyOffByMoreThanAllowed) {
+TEST(FittedLight, OfPixelsInPartsIsHardlyOffByMoreThanAllowed) {
     expect_hardly_off(domed_plate(), 8, 0.7);
 }
 
 // Ridges of three degrees, askew to the pixels: their sides are one smooth surface for pictures,
 // and all that betrays small pieces of them is their normals.
-TEST(UnshadowedLight, FollowsShallowCreases) {
+TEST(FittedLight, FollowsShallowCreases) {
     test::ModelBuilder builder;
     for (int i = 0; i < 12; ++i) {
         const double rise = i % 2 == 0 ? 5 : -5;
@@ -133,7 +132,7 @@ TEST(UnshadowedLight, FollowsShallowCreases) {
 }
 
 // Neighbours that are no smooth surface are lit by one fit of position and normal.
-TEST(UnshadowedLight, FitsNormalsThatSwing) {
+TEST(FittedLight, FitsNormalsThatSwing) {
     std::size_t fitted = 0, off = 0;
     for (const double error : errors_of_square(domed_plate(), 5e-3)) {
         fitted += error != 0 ? 1 : 0, off += std::abs(error) > 5e-3 ? 1 : 0;
@@ -145,14 +144,14 @@ TEST(UnshadowedLight, FitsNormalsThatSwing) {
 
 // The light of lobes follows normals too closely for that: only rows of pixels with like normals
 // are fitted.
-TEST(UnshadowedLight, HardlyFitsLobesWhereNormalsSwing) {
+TEST(FittedLight, HardlyFitsLobesWhereNormalsSwing) {
     std::size_t fitted = 0;
     for (const double error : errors_of_square(glossy(domed_plate()), 5e-3))
         fitted += error != 0 ? 1 : 0;
     EXPECT_LT(fitted, 24U * 24U / 20);
 }
 
-TEST(UnshadowedLight, HoldsTheErrorOfTheIlluminance) {
+TEST(FittedLight, HoldsTheErrorOfTheIlluminance) {
     const Stage stage = domed_plate();
     PictureOptions options{.aovs = {Aov::illuminance}, .edge_samples = 1, .light_error = 0};
     const Image exact = stage.render(options).aovs.at(Aov::illuminance);
@@ -169,7 +168,7 @@ TEST(UnshadowedLight, HoldsTheErrorOfTheIlluminance) {
 }
 
 // Display values deviate by no more than the error is at white, and more light is fitted.
-TEST(UnshadowedLight, HoldsTheErrorAsItIsShown) {
+TEST(FittedLight, HoldsTheErrorAsItIsShown) {
     const Stage stage = domed_plate();
     PictureOptions options{.aovs = {}, .edge_samples = 1, .light_error = 0};
     const Film exact = stage.render(options);
@@ -192,7 +191,7 @@ TEST(UnshadowedLight, HoldsTheErrorAsItIsShown) {
     EXPECT_GT(beyond_share, off);
 }
 
-TEST(UnshadowedLight, OfNoErrorIsThatOfEachRay) {
+TEST(FittedLight, OfNoErrorIsThatOfEachRay) {
     const Stage stage = glossy(domed_plate());
     const PictureOptions options{.aovs = {}, .edge_samples = 1, .light_error = 0};
     const Film film = stage.render(options);
@@ -207,14 +206,14 @@ TEST(UnshadowedLight, OfNoErrorIsThatOfEachRay) {
         }
 }
 
-TEST(UnshadowedLight, IsTheSameForAnyThreadCount) {
+TEST(FittedLight, IsTheSameForAnyThreadCount) {
     const Stage stage = glossy(domed_plate());
     EXPECT_EQ(stage.render({}, 1).color.values, stage.render({}, 2).color.values);
 }
 
 // Places that coincide, whose light differs: without normals in the fit, as for lobes, no halves
 // are left to be fitted.
-TEST(UnshadowedLight, OfPlacesThatCoincideIsThatOfEach) {
+TEST(FittedLight, OfPlacesThatCoincideIsThatOfEach) {
     const Stage stage = glossy(domed_plate());
     const PictureOptions options;
     const PictureScene scene{stage.tracer, stage.materials, stage.rig};
@@ -227,12 +226,12 @@ TEST(UnshadowedLight, OfPlacesThatCoincideIsThatOfEach) {
         points[i].eye = {0, 0, 1}, points[i].weight = Rgb(1);
         places.push_back({{static_cast<int>(i), 0}, &points[i], Rgb(0)});
     }
-    const std::vector<DirectLight> light = unshadowed_light(integrator, places, 1e-3);
+    const std::vector<DirectLight> light = fitted_light(integrator, places, 1e-3);
     for (std::size_t i = 0; i < points.size(); ++i)
         EXPECT_EQ(light[i].illuminance.g, integrator.direct_light(points[i]).illuminance.g);
 }
 
-TEST(UnshadowedLight, IsOfRowsWithoutShadowsAndMedium) {
+TEST(FittedLight, IsOfRowsWithoutShadowsAndMedium) {
     const Stage stage = domed_plate();
     const auto is_smooth = [&](const LightRig& rig, const Occluders* occluders) {
         const PictureOptions options;

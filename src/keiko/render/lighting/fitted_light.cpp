@@ -1,0 +1,167 @@
+#include "keiko/render/lighting/fitted_light.h"
+
+#include "keiko/render/lighting/error_budget.h"
+#include "keiko/render/lighting/quadratic_fit.h"
+#include "keiko/render/shading/mapped_paint.h"
+
+#include <algorithm>
+#include <limits>
+#include <tuple>
+#include <utility>
+
+namespace keiko {
+namespace {
+
+/// Places of a region whose light is computed: half as many again as the polynomial has terms. Flat
+/// regions leave out those of the tilt.
+constexpr std::size_t node_count = 3 * std::tuple_size_v<Monomials> / 2;
+/// Number of such places where lamps light lobes: some twice the terms of the position.
+constexpr std::size_t lobe_node_count = 12;
+/// Cosine between the normals of neighbours in a region.
+constexpr double least_alike = 0.5;
+/// Places with more leverage than this are lit themselves: the nodes do not surround them.
+constexpr double most_leverage = 1;
+/// Radians that a normal may be off the fit of the nodes' normals, in the allowed relative error of
+/// the light.
+constexpr double most_bend = 2;
+/// Share of the error that is allowed at a node that determines its own light, for rounding.
+constexpr double least_own_share = 0.1;
+/// Light of an open sky past no body of which its visible light may be off, as a multiple of the
+/// error.
+constexpr double of_open_sky = 3;
+
+class FittedLight {
+public:
+    FittedLight(const Integrator& integrator, std::span<const LightId> lights,
+                std::span<const LitPlace> places, double error)
+        : integrator_(integrator),
+          lights_(lights),
+          outdoors_(!lights.empty() && integrator.is_open_sky(lights[0])),
+          places_(places),
+          error_(error),
+          light_(places.size()),
+          is_lit_(places.size()) {}
+
+    std::vector<DirectLight> light() {
+        const auto alike = [&](std::size_t i, std::size_t j) { return are_alike(i, j); };
+        for (const Places& region : regions_of(places_, alike)) light(region);
+        return std::move(light_);
+    }
+
+private:
+    /// Whether the light depends on position and normal alone. Lobes of lamps depend on the eye.
+    bool depends_on_place(std::size_t place) const {
+        return outdoors_ || !integrator_.has_lobes(*places_[place].point);
+    }
+    /// Without shadows, light on a base is alike on several surfaces.
+    bool are_alike(std::size_t i, std::size_t j) const {
+        const SurfacePlace &a = places_[i].point->place, &b = places_[j].point->place;
+        if (outdoors_ || !depends_on_place(i)) return is_same_surface(a, b);
+        return a.paint == b.paint && a.normal.dot(b.normal) > least_alike;
+    }
+    void light(const Places& region) {
+        const bool tilted = depends_on_place(region[0]);
+        const std::size_t count = tilted ? node_count : lobe_node_count;
+        if (!(error_ > 0) || region.size() <= count || is_uneven(*places_[region[0]].point))
+            return light_each(region);
+        const Chart chart = chart_of(places_, region, tilted);
+        if (fit(region, chart, count)) return;
+        const auto [low, high] = halves(region, chart);
+        if (high.empty()) return light_each(region);
+        light(low);
+        light(high);
+    }
+    void light_each(const Places& places) {
+        for (const std::size_t place : places) light(place);
+    }
+    void light(std::size_t place) {
+        if (is_lit_[place]) return;
+        light_[place] = integrator_.direct_light(*places_[place].point, lights_);
+        is_lit_[place] = true;
+    }
+    /// Lights a region by a fit; false if its nodes, or all other places, deviate from it.
+    bool fit(const Places& region, const Chart& chart, std::size_t count) {
+        Chart nodes;
+        std::vector<DirectLight> lights;
+        std::vector<Vec3> normals;
+        std::vector<ErrorBudget> budgets;
+        for (const std::size_t node : spread_places(chart, count, lit_in(region))) {
+            light(region[node]);
+            nodes.push_back(chart[node]);
+            lights.push_back(light_[region[node]]);
+            normals.push_back(normal(region[node]));
+            budgets.push_back(budget_at(region[node]));
+        }
+        const QuadraticFit fit(nodes);
+        const auto fitted = fit.to(std::span<const DirectLight>(lights));
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (!agrees(lights[i], budgets[i], fitted, fit, monomials(nodes[i]))) return false;
+        return fill(region, chart, fit, fitted, fit.to(std::span<const Vec3>(normals)),
+                    most_bend * least_share(budgets));
+    }
+    std::vector<bool> lit_in(const Places& region) const {
+        std::vector<bool> lit;
+        for (const std::size_t place : region) lit.push_back(is_lit_[place]);
+        return lit;
+    }
+    ErrorBudget budget_at(std::size_t place) const {
+        const LitPlace& at = places_[place];
+        DirectLight besides;
+        if (outdoors_)
+            besides = integrator_.unoccluded_light(*at.point, lights_) * (of_open_sky * error_);
+        return {integrator_, *at.point, at.seen, light_[place], error_, besides};
+    }
+    /// The smallest share of the light that any of them allows.
+    static double least_share(const std::vector<ErrorBudget>& budgets) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const ErrorBudget& budget : budgets) least = std::min(least, budget.share());
+        return least;
+    }
+    /// Lights the other places of a region by a fit. Those whose normals are farther than `most`
+    /// radians off theirs, or to which it extrapolates, form a region of their own. False if none
+    /// is lit by the fit.
+    bool fill(const Places& region, const Chart& chart, const QuadraticFit& fit,
+              const Quadratic<DirectLight>& fitted, const Quadratic<Vec3>& fitted_normal,
+              double most) {
+        Places off;
+        bool fits_any = false;
+        for (std::size_t i = 0; i < region.size(); ++i) {
+            if (is_lit_[region[i]]) continue;
+            const Monomials powers = monomials(chart[i]);
+            const double bend = (fitted_normal.at(powers) - normal(region[i])).length();
+            if (fit.leverage(powers) <= most_leverage && bend <= most)
+                light_[region[i]] = fitted.at(powers), fits_any = true;
+            else
+                off.push_back(region[i]);
+        }
+        if (off.empty()) return true;
+        if (!fits_any) return false;
+        light(off);
+        return true;
+    }
+    const Vec3& normal(std::size_t place) const { return places_[place].point->place.normal; }
+    /// True if the other nodes of a fit predict the light of one.
+    static bool agrees(const DirectLight& light, const ErrorBudget& allowed,
+                       const Quadratic<DirectLight>& fitted, const QuadraticFit& fit,
+                       const Monomials& powers) {
+        const double share = std::max(1 - fit.leverage(powers), least_own_share);
+        return allowed.used_by(light - fitted.at(powers)) <= share;
+    }
+
+    const Integrator& integrator_;
+    std::span<const LightId> lights_;
+    bool outdoors_; ///< the lights are those of open skies, with shadows
+    std::span<const LitPlace> places_;
+    double error_;
+    std::vector<DirectLight> light_;
+    std::vector<bool> is_lit_; ///< whether it is computed
+};
+
+} // namespace
+
+std::vector<DirectLight> fitted_light(const Integrator& integrator, std::span<const LightId> lights,
+                                      std::span<const LitPlace> places, double error) {
+    return FittedLight(integrator, lights, places, error).light();
+}
+
+} // namespace keiko
