@@ -44,9 +44,9 @@ void RenderArguments::add_light(CLI::App& command) {
                 "--light-error", light_error,
                 "share of what is seen by which the lamps' light on bases may be off for being "
                 "found a few pixels apart; shadows narrower than two pixels may have holes, and "
-                "up to eight on curved surfaces and in penumbrae of others, 16 under an open sky, "
-                "as narrow light amid shadows may anywhere, however small it is; each quarter of "
-                "an open sky may be off by 15 times as much of its own light, and by 0.01 more; "
+                "up to eight on curved surfaces and in penumbrae of others, as narrow light amid "
+                "shadows may anywhere, however small it is; the light of an open sky may be off "
+                "by three times as much of what it is past no body, and by 0.0025 more; "
                 "0: found in each pixel, slower")
             ->check(number_between(0, 0.1))
             ->capture_default_str());

@@ -1,5 +1,7 @@
-#include "keiko/film/tone_mapping.h"
 #include "keiko/render/lighting/fitted_light.h"
+
+#include "keiko/film/tone_mapping.h"
+#include "keiko/visibility/query/occluders.h"
 
 #include "tests/unit/render/stage.h"
 #include <gtest/gtest.h>
@@ -95,12 +97,37 @@ std::vector<double> errors_of_square(const Stage& stage, double allowed) {
     for (std::size_t i = 0; i < points.size(); ++i)
         places.push_back(
             {{static_cast<int>(i % 24), static_cast<int>(i / 24)}, &points[i], Rgb(0)});
-    const std::vector<DirectLight> light = fitted_light(integrator, integrator.lights(), places, allowed);
+    const std::vector<DirectLight> light =
+        fitted_light(integrator, integrator.lights(), places, allowed);
     std::vector<double> errors;
     for (std::size_t i = 0; i < points.size(); ++i)
         errors.push_back(light[i].illuminance.g / integrator.direct_light(points[i]).illuminance.g -
                          1);
     return errors;
+}
+
+/// A dome on a plate and a board above them, under an overcast sky and ground.
+Stage under_the_sky() {
+    test::ModelBuilder builder;
+    test::add_dome(builder);
+    builder.plane({-2000, -2000, 0}, {4000, 0, 0}, {0, 4000, 0});
+    builder.plane({-300, -400, 420}, {500, 0, 60}, {0, 300, 0});
+    Stage stage(builder.build(), 1);
+    SkyLight sky{SkyModel::overcast, Rgb(900, 600, 300)};
+    sky.ground = Rgb(90);
+    stage.rig.sources = {sky};
+    stage.camera.width = 192, stage.camera.height = 108;
+    return stage;
+}
+
+Film with_shadows(const Stage& stage, const PictureOptions& options) {
+    const Occluders occluders(stage.model, stage.tracer);
+    return render({.tracer = stage.tracer,
+                   .materials = stage.materials,
+                   .rig = stage.rig,
+                   .background = Rgb(0),
+                   .occluders = &occluders},
+                  stage.camera, options, {});
 }
 
 } // namespace
@@ -247,4 +274,48 @@ TEST(FittedLight, IsOfRowsWithoutShadowsAndMedium) {
     rig = stage.rig;
     rig.medium = Medium();
     EXPECT_FALSE(is_smooth(rig, nullptr));
+}
+
+// What is allowed is a share of the light past no body: 600 lx pi 7 / 9 on level ground.
+TEST(FittedLight, OfTheSkyIsOffByAShareOfItsWholeLight) {
+    const Stage stage = under_the_sky();
+    PictureOptions options{.aovs = {Aov::illuminance}, .edge_samples = 1, .light_error = 0};
+    const Image exact = with_shadows(stage, options).aovs.at(Aov::illuminance);
+    options.light_error = 2e-3;
+    const Image fast = with_shadows(stage, options).aovs.at(Aov::illuminance);
+    const double whole = 600 * 3.14159 * 7 / 9;
+    std::size_t lit = 0, fitted = 0, dark = 0, off = 0;
+    double squares = 0;
+    for (std::size_t i = 0; i < exact.values.size(); ++i) {
+        if (exact.values[i] == 0) continue;
+        const double wrong = std::abs(fast.values[i] - exact.values[i]) / whole;
+        ++lit, squares += wrong * wrong;
+        dark += exact.values[i] < 0.7F * static_cast<float>(whole) ? 1 : 0;
+        fitted += wrong != 0 ? 1 : 0, off += wrong > 0.02 ? 1 : 0;
+        EXPECT_LT(wrong, 0.1) << i;
+    }
+    EXPECT_GT(dark, lit / 10);
+    EXPECT_GT(fitted, lit * 3 / 5);
+    EXPECT_LT(off, lit / 200);
+    EXPECT_LT(std::sqrt(squares / static_cast<double>(lit)), 0.004);
+}
+
+// The sky is fitted, lamps are interpolated: each counts once.
+TEST(FittedLight, OfTheSkyAddsUpWithLamps) {
+    Stage both = under_the_sky();
+    const LightSource sky = both.rig.sources[0];
+    const PointSource lamp{{-500, -300, 900}, Rgb(3e8)};
+    both.rig.sources = {lamp, sky};
+    Stage first = both, second = both;
+    first.rig.sources = {lamp}, second.rig.sources = {sky};
+    for (const double error : {0.0, 2e-3}) {
+        const PictureOptions options{.aovs = {}, .edge_samples = 4, .light_error = error};
+        const Film sum = with_shadows(both, options), a = with_shadows(first, options),
+                   b = with_shadows(second, options);
+        for (std::size_t i = 0; i < sum.color.values.size(); ++i) {
+            if (sum.alpha.values[i / 3] < 1) continue; // beside which the sky is seen
+            const double parts = a.color.values[i] + b.color.values[i];
+            EXPECT_NEAR(sum.color.values[i], parts, (error > 0 ? 0.02 : 1e-5) * parts) << i;
+        }
+    }
 }

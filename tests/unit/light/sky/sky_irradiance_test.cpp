@@ -138,6 +138,20 @@ private:
 };
 
 /// In pictures the corners of a quarter, which light next to nothing, need no lines.
+TEST(SkyIrradiance, SharesOfPanelsAddUpToOne) {
+    SkyLight sky{SkyModel::uniform, Rgb(40, 50, 20)};
+    sky.ground = Rgb(10, 5, 4);
+    for (const double tilt : {0.0, 0.4, 1.5, 2.7, pi}) {
+        const Vec3 normal = tilted(tilt, 0.3);
+        double sum = 0;
+        for (int i = 0; i < panel_count(sky); ++i)
+            sum += panel_share(sky, *sky_panel(sky, i, Vec3(0)), Vec3(0), normal);
+        EXPECT_NEAR(sum, 1, 1e-12) << tilt;
+    }
+    const SkyPanel quarter = *sky_panel(sky, 0, Vec3(0));
+    EXPECT_NEAR(panel_share(sky, quarter, Vec3(0), Vec3(0, 0, 1)), 0.25, 1e-12);
+}
+
 TEST(SkyIrradiance, CornersOfAQuarterTakeNoLines) {
     const SkyLight sky{SkyModel::overcast, Rgb(1)};
     const SkyPanel panel = *sky_panel(sky, 0, Vec3(0));
