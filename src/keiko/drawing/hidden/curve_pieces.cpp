@@ -55,12 +55,12 @@ public:
     /// changes has missed.
     void add(const Stretch& stretch) {
         std::vector<CurvePiece> runs = runs_of(stretch);
+        if (runs.size() == 1) return append(runs.front());
         for (CurvePiece& run : runs) {
             // One ray may hit the seam of a border that it passes. A run of such is none.
             const Vec3 middle = curve_.course.at((run.begin + run.end) / 2);
             const bool visible = sight_.visible(middle, curve_);
-            if (runs.size() > 1 && visible != run.visible &&
-                (visible || !sight_.visible_beside(middle, curve_)))
+            if (visible != run.visible && (visible || !sight_.visible_beside(middle, curve_)))
                 run.visible = visible;
             append(run);
         }
@@ -96,14 +96,24 @@ private:
     /// curve in it, and ever more towards its ends. Changes that the search misses are those of
     /// nearly tangent images, which lie beside contacts at any scale.
     std::vector<Probe> probes_of(const Stretch& stretch) const {
-        std::vector<Probe> probes{{stretch.middle(), visible_at(stretch.middle())}};
+        std::vector<double> places{stretch.middle()};
         for (double t = std::floor(stretch.begin) + 1; t < stretch.end; ++t)
-            if (!is_at_end(t, stretch)) probes.push_back({t, visible_at(t)});
-        for (const double t : towards_ends(stretch)) {
-            const Vec3 place = curve_.course.at(t);
-            const auto visible = sight_.surely_visible(place, curve_);
-            if (visible && (*visible || !sight_.visible_beside(place, curve_)))
-                probes.push_back({t, *visible});
+            if (!is_at_end(t, stretch)) places.push_back(t);
+        const std::size_t inner = places.size();
+        for (const double t : towards_ends(stretch)) places.push_back(t);
+        std::vector<Vec3> points;
+        for (const double t : places) points.push_back(curve_.course.at(t));
+        const std::vector<PointSight> found = sight_.sights(points, curve_);
+        const bool alike = std::all_of(found.begin(), found.end(), [&](const PointSight& sight) {
+            return sight.visible == found[0].visible;
+        });
+        if (alike) return {{places[0], found[0].visible}}; // nothing changes
+        std::vector<Probe> probes;
+        for (std::size_t i = 0; i < places.size(); ++i) {
+            const bool counts =
+                i < inner || (found[i].visible ? found[i].sure
+                                               : !sight_.visible_beside(points[i], curve_));
+            if (counts) probes.push_back({places[i], found[i].visible});
         }
         std::sort(probes.begin(), probes.end(),
                   [](const Probe& a, const Probe& b) { return a.t < b.t; });

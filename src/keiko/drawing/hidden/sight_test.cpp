@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace keiko {
 namespace {
@@ -79,27 +80,42 @@ int SightTest::sheets_before(const Vec3& point, const ModelCurve& curve) const {
 }
 
 bool SightTest::visible(const Vec3& point, const ModelCurve& curve) const {
-    const Ray ray = projection_.sight_line(point, before_);
-    const auto first = tracer_.nearest(ray);
-    if (!first) return true;
-    return !hides(*first, ray, curve) && sheets_before(point, curve) == 0;
+    return sights({&point, 1}, curve).front().visible;
+}
+
+std::vector<PointSight> SightTest::sights(std::span<const Vec3> points,
+                                          const ModelCurve& curve) const {
+    std::vector<Ray> rays;
+    for (const Vec3& point : points) rays.push_back(projection_.sight_line(point, before_));
+    const std::vector<std::optional<Hit>> first = tracer_.nearest(rays);
+    std::vector<PointSight> found(points.size());
+    std::vector<std::size_t> open;
+    std::vector<Ray> open_rays;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (!first[i]) continue;
+        found[i].visible = !hides(*first[i], rays[i], curve);
+        if (found[i].visible) open.push_back(i), open_rays.push_back(rays[i]);
+    }
+    const std::vector<std::vector<Hit>> hits = tracer_.all(open_rays);
+    for (std::size_t k = 0; k < open.size(); ++k)
+        for (const Hit& hit : hits[k]) {
+            if (hides(hit, open_rays[k], curve)) found[open[k]].visible = false;
+            const double before = (1 - hit.t) * open_rays[k].direction.length();
+            if (before > itself * size_ && !has(hit.flags, HitFlags::tangential))
+                found[open[k]].sure = false;
+        }
+    for (PointSight& sight : found) sight.sure |= !sight.visible;
+    return found;
 }
 
 bool SightTest::visible_beside(const Vec3& point, const ModelCurve& curve) const {
     const CameraAxes& axes = projection_.axes();
+    std::vector<Vec3> beside;
     for (const Vec3& way : {axes.right, -axes.right, axes.up, -axes.up})
-        if (visible(point + way * (same_place * size_), curve)) return true;
-    return false;
-}
-
-std::optional<bool> SightTest::surely_visible(const Vec3& point, const ModelCurve& curve) const {
-    if (!visible(point, curve)) return false;
-    const Ray ray = projection_.sight_line(point, before_);
-    for (const Hit& hit : tracer_.all(ray)) {
-        const double before = (1 - hit.t) * ray.direction.length();
-        if (before > itself * size_ && !has(hit.flags, HitFlags::tangential)) return std::nullopt;
-    }
-    return true;
+        beside.push_back(point + way * (same_place * size_));
+    const std::vector<PointSight> found = sights(beside, curve);
+    return std::any_of(found.begin(), found.end(),
+                       [](const PointSight& sight) { return sight.visible; });
 }
 
 } // namespace keiko

@@ -4,10 +4,16 @@
 #include "keiko/drawing/curves/model_curve.h"
 #include "keiko/intersect/traversal/tracer.h"
 
-#include <optional>
+#include <span>
 #include <vector>
 
 namespace keiko {
+
+/// What rays tell of a point of a curve.
+struct PointSight {
+    bool visible = true; ///< nothing is between the eye and the point
+    bool sure = true;    ///< false where a surface is only just too near to hide a visible point
+};
 
 /// Counts by rays what hides points of curves. A surface hides a point if it lies before it by more
 /// than 1e-6 of the body's size along the line of sight. Square to the surface it must be more than
@@ -22,9 +28,8 @@ public:
     int sheets_before(const Vec3& point, const ModelCurve& curve) const;
     /// True if nothing is between the eye and a point of a curve.
     bool visible(const Vec3& point, const ModelCurve& curve) const;
-    /// True if nothing is between the eye and a point of a curve. nullopt where a surface before
-    /// the point is only just too near to hide it.
-    std::optional<bool> surely_visible(const Vec3& point, const ModelCurve& curve) const;
+    /// visible() of many points of one curve, in order, and whether it is sure.
+    std::vector<PointSight> sights(std::span<const Vec3> points, const ModelCurve& curve) const;
     /// True if nothing is between the eye and a place a millionth of the body's size beside a point
     /// of a curve in the image: edges that coincide there hide each other by rounding alone.
     bool visible_beside(const Vec3& point, const ModelCurve& curve) const;
