@@ -21,6 +21,8 @@ SURFACES = ROOT / "surfaces"
 sys.dont_write_bytecode = True
 sys.path += [str(ROOT / "tests"), str(ROOT / "tests" / "cli")]
 
+from line_pictures import line_picture  # noqa: E402
+
 SHADED = ("--shadows", "--tone", "reinhard")
 
 # Pictures of scenes: the scene file, the options of `keiko render`, the size in pixels.
@@ -62,6 +64,7 @@ SCENES = {
     "low-beam": ("low-beam-scene", SHADED, (960, 540)),
     "orange-peel": ("orange-peel-scene", (), (960, 540)),
     "curved-lamps": ("curved-lamps-scene", SHADED, (640, 360)),
+    **{f"ladder-{rung}": (f"ladder-{rung}-scene", SHADED, (640, 448)) for rung in ("shaded", "textured")},
     "lamps-in-a-row": ("lamps-in-a-row-scene", SHADED, (640, 360)),
     "panels-in-fog": ("panels-in-fog-scene", SHADED, (640, 360)),
     "overcast": ("overcast-scene", ("--tone", "reinhard"), (960, 540)),
@@ -131,6 +134,19 @@ def car_drawing(program, folder):
     return {"drawing": folder / "a.svg"}
 
 
+def ladder_lines(program, folder):
+    """The first rungs of the ladder: all lines of the teapot, and those that nothing hides."""
+    shaded = render_scene(program, "ladder-shaded", folder)
+    made = {}
+    for name, options in ("ladder-wireframe", ("--wireframe",)), ("ladder-hidden-line", ()):
+        sheet = folder / "sheet.svg"
+        keiko(program, "draw", SURFACES / "ladder-shaded-scene.toml", "--view", "scene", "--perspective",
+              "--iso-curves", "4", *options, "-o", sheet)
+        made[name] = folder / f"{name}.svg"
+        made[name].write_text(line_picture(sheet.read_text(encoding="utf-8"), shaded), encoding="utf-8")
+    return made
+
+
 def hood_meshes(program, folder):
     """The same close-up of the hood's stripes in two meshes and in the surface."""
     keiko(program, "mesh-error", SURFACES / "hood.step", "--mesh", "1,0.1", "--view", "high-front", "-o", folder)
@@ -192,6 +208,7 @@ COMMANDS = {
     ("hood-lines", "hood-inflections"): hood_inspection,
     ("concept-car-lines",): car_lines,
     ("drawing",): car_drawing,
+    ("ladder-wireframe", "ladder-hidden-line"): ladder_lines,
     ("mesh-error-coarse", "mesh-error-fine", "mesh-error-surface"): hood_meshes,
     ("compare",): raised_sheet,
     ("placement-hood", "placement-hood-overhead", "placement-car", "placement-car-overhead",
