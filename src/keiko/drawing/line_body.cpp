@@ -97,11 +97,14 @@ std::vector<Stroke> LineBody::strokes(const Camera& camera, std::span<const Mode
     return joined_strokes(parts(camera, others, wireframe, job));
 }
 
-bool LineBody::is_visible(const Camera& camera, const Vec3& place) const {
+std::vector<bool> LineBody::visible(const Camera& camera, std::span<const Vec3> places) const {
     const ImageProjection projection(camera);
-    ModelCurve point;
-    for (const PlacedFace& face : placed_faces(model_)) point.faces.push_back(face);
-    return SightTest(model_, tracer_, projection).visible(place, point);
+    ModelCurve anywhere;
+    for (const PlacedFace& face : placed_faces(model_)) anywhere.faces.push_back(face);
+    std::vector<bool> visible;
+    for (const PointSight& sight : SightTest(model_, tracer_, projection).sights(places, anywhere))
+        visible.push_back(sight.visible);
+    return visible;
 }
 
 } // namespace keiko

@@ -41,8 +41,8 @@ public:
     /// before all of the body, and Cancelled.
     std::vector<Stroke> strokes(const Camera& camera, std::span<const ModelCurve> others,
                                 bool wireframe, const Job& job = {}) const;
-    /// True if a point on the body is visible in a view.
-    bool is_visible(const Camera& camera, const Vec3& place) const;
+    /// Whether points on the body are visible in a view, in order.
+    std::vector<bool> visible(const Camera& camera, std::span<const Vec3> places) const;
 
 private:
     struct Edges;

@@ -1,58 +1,19 @@
 #include "keiko/export/sheet_files.h"
+#include "keiko/export/svg_path.h"
 #include "keiko/report/markup/html_text.h"
 
-#include <cmath>
 #include <sstream>
 
 namespace keiko {
 namespace {
 
-/// Writes hundredths of a mm in as few letters as SVG allows.
-class PathWriter {
-public:
-    explicit PathWriter(double height) : height_(height) {}
-
-    void add(const std::vector<Vec2>& line) {
-        long long x = hundredths(line[0].x), y = hundredths(height_ - line[0].y);
-        text_ << 'M' << number(x) << ' ' << number(y) << 'l';
-        bool first = true;
-        for (std::size_t i = 1; i < line.size(); ++i) {
-            const long long next_x = hundredths(line[i].x),
-                            next_y = hundredths(height_ - line[i].y);
-            if (next_x == x && next_y == y && (i + 1 < line.size() || !first)) continue;
-            if (!first) text_ << ' ';
-            text_ << number(next_x - x) << ' ' << number(next_y - y);
-            x = next_x, y = next_y, first = false;
-        }
-    }
-    std::string text() const { return text_.str(); }
-
-private:
-    static long long hundredths(double mm) { return std::llround(mm * 100); }
-
-    static std::string number(long long hundredths) {
-        const long long size = std::abs(hundredths);
-        std::string text = hundredths < 0 ? "-" : "";
-        if (size >= 100 || size % 100 == 0) text += std::to_string(size / 100);
-        if (size % 100 == 0) return text;
-        text += '.';
-        text += static_cast<char>('0' + size / 10 % 10);
-        if (size % 10 != 0) text += static_cast<char>('0' + size % 10);
-        return text;
-    }
-
-    double height_;
-    std::ostringstream text_;
-};
-
 void add_layer(std::ostream& out, const SheetLayer& layer, double height) {
-    PathWriter path(height);
-    for (const std::vector<Vec2>& line : layer.lines) path.add(line);
+    constexpr int decimals = 2; // of a mm
     out << "<g id=\"" << html_escaped(layer.name) << "\" inkscape:groupmode=\"layer\""
         << " inkscape:label=\"" << html_escaped(layer.name) << "\"><path stroke-width=\""
         << layer.width << '"';
     if (layer.dashed) out << " stroke-dasharray=\"2 1\"";
-    out << " d=\"" << path.text() << "\"/></g>\n";
+    out << " d=\"" << svg_path(layer.lines, height, decimals) << "\"/></g>\n";
 }
 
 void add_text(std::ostream& out, const SheetText& text, double height) {

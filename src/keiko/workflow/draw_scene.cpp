@@ -10,9 +10,8 @@
 #include "keiko/inspect/combs/comb_curves.h"
 #include "keiko/workflow/choose_views.h"
 #include "keiko/workflow/find_lines.h"
+#include "keiko/workflow/three_views.h"
 
-#include <algorithm>
-#include <cmath>
 #include <sstream>
 
 namespace keiko {
@@ -73,11 +72,9 @@ public:
         const bool wireframe = options_.hidden == HiddenLines::draw;
         SheetView drawn{view.name, {}, !options_.perspective};
         drawn.strokes = body_.strokes(camera, others, wireframe, job);
-        const ImageProjection projection(camera);
-        for (const Check& check : findings)
-            drawn.marks.push_back({projection.image(check.worst.place).at,
-                                   static_cast<std::uint32_t>(drawn.marks.size() + 1),
-                                   wireframe || body_.is_visible(camera, check.worst.place)});
+        std::vector<Vec3> places;
+        for (const Check& check : findings) places.push_back(check.worst.place);
+        drawn.marks = marks_at(places, body_, camera, wireframe);
         return drawn;
     }
 
@@ -105,29 +102,12 @@ private:
     const LineBody& body_;
 };
 
-/// Extent of a body along an axis of the picture that is one of space.
-std::optional<double> extent_along(const Box3& box, const Vec3& axis) {
-    constexpr double aligned = 1e-9;
-    for (unsigned k = 0; k < 3; ++k)
-        if (std::abs(std::abs(axis[k]) - 1) < aligned) return box.extent()[k];
-    return std::nullopt;
-}
-
-void add_dimensions(SheetView& drawn, const Camera& camera, const Box3& box) {
-    const CameraAxes axes = camera.axes();
-    drawn.width = extent_along(box, axes.right);
-    drawn.height = extent_along(box, axes.up);
-    if (!drawn.width || !drawn.height) drawn.width = drawn.height = std::nullopt;
-}
-
 /// "left.step, right.step"
 std::string names_of(std::span<const std::filesystem::path> files) {
     std::vector<std::string> names;
     for (const std::filesystem::path& file : files) names.push_back(file.filename().string());
     return comma_list(names);
 }
-
-const std::vector<std::string> three_views{"left", "front", "top"};
 
 } // namespace
 
@@ -145,7 +125,7 @@ Sheet draw_scene(const Scene& scene, const DrawOptions& options, const Job& job)
         throw Error("", "rig", "it has no lamps whose lines could be drawn");
     const bool three = options.views.empty();
     const std::vector<NamedView> views =
-        choose_views(scene, three ? three_views : options.views, 1, job);
+        choose_views(scene, three ? three_views() : options.views, 1, job);
     require_different_names(views);
     constexpr double judging = 4, finding = 1, drawing = 2;
     JobSteps steps(job, (options.findings ? judging : 0) + finding +

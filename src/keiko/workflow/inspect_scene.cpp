@@ -14,6 +14,7 @@
 #include "keiko/workflow/hidden_faces.h"
 #include "keiko/workflow/judged_body.h"
 #include "keiko/workflow/place_scene.h"
+#include "keiko/workflow/report_drawing.h"
 #include "keiko/workflow/report_pictures.h"
 #include "keiko/workflow/version.h"
 #include "keiko/workflow/zoned_limits.h"
@@ -104,7 +105,7 @@ PictureOptions without_aovs(PictureOptions options) {
 struct InspectWeights {
     static constexpr double choosing = 1.5, registering = 1, placing = 3, limiting = 0.5,
                             picture = 2.5, lines = 3, triage = 1, standing = 1, combs = 1,
-                            close_ups = 3;
+                            close_ups = 3, drawing = 0.5;
 };
 
 constexpr int automatic_views = 3;
@@ -133,7 +134,7 @@ double weight_of(const Scene& scene, const InspectOptions& options, const CombOp
     using W = InspectWeights;
     const double views = views_of(scene, options);
     return W::choosing + W::placing + W::limiting + parts_of(options).weight() +
-           (W::picture + W::lines) * views + W::triage + W::standing + W::close_ups +
+           (W::picture + W::lines) * views + W::triage + W::standing + W::close_ups + W::drawing +
            (options.register_hits ? W::registering : 0) + (has_curves(combs) ? W::combs : 0);
 }
 
@@ -221,6 +222,9 @@ InspectResult inspect_scene(const Scene& scene, const InspectOptions& options, c
     add_triage(result.report, scene, shown, result, views, steps.next(InspectWeights::triage, 2));
     result.report.standing_pictures =
         standing_pictures(shown, result.report, steps.next_of_steps(InspectWeights::standing));
+    result.report.drawing =
+        report_drawing(shown, whole_inspection(result.report).findings, options.join,
+                       steps.next_of_steps(InspectWeights::drawing));
     if (has_curves(combs)) {
         result.combs = combs_of(scene.model, combs, steps.next(InspectWeights::combs));
         result.report.combs = result.combs->pictures;

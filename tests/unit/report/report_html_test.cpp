@@ -32,6 +32,18 @@ TEST(ReportHtml, RowsOfFindingsOpenTheirCloseUps) {
     EXPECT_EQ(json["close_ups"][1]["face"], 2);
 }
 
+TEST(ReportHtml, TheDrawingIsTheFirstPictureBesideTheStripesAndLeadsToTheFindings) {
+    Report drawn = report();
+    EXPECT_EQ(report_html(drawn).find("class=\"card drawn\""), std::string::npos);
+    drawn.drawing = "<svg class=\"drawing\"><a href=\"#finding-1\"></a></svg>";
+    const std::string html = report_html(drawn);
+    const std::size_t heading = html.find("<h2>Reflections</h2>"), at = html.find(drawn.drawing);
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_LT(heading, at);
+    EXPECT_LT(at, html.find("<img", heading));
+    EXPECT_NE(html.find("<tr id=\"finding-1\""), std::string::npos);
+}
+
 TEST(ReportHtml, NotesStandWithTheirPlaces) {
     Report noted = report();
     EXPECT_EQ(report_html(noted).find(">Notes<"), std::string::npos);

@@ -37,13 +37,6 @@ Pen pen_of(CurveKind kind) {
     return {0.13, 0.09};
 }
 
-Box2 image_box(const SheetView& view) {
-    Box2 box;
-    for (const Stroke& stroke : view.strokes)
-        for (const Vec2& point : stroke.points) box.extend(point);
-    return box;
-}
-
 Box2 cell_at(const Vec2& lower, const Vec2& size) {
     return {lower, lower + size};
 }
@@ -158,6 +151,13 @@ private:
 };
 
 } // namespace
+
+Box2 image_box(const SheetView& view) {
+    Box2 box;
+    for (const Stroke& stroke : view.strokes)
+        for (const Vec2& point : stroke.points) box.extend(point);
+    return box;
+}
 
 double usual_scale(double most) {
     // Powers of ten of both signs: 1:50 is 2 / 100.

@@ -2,6 +2,7 @@
 
 #include "keiko/drawing/sheet/joined_strokes.h"
 #include "keiko/drawing/sheet/sheet.h"
+#include "keiko/math/bounds.h"
 
 #include <optional>
 #include <span>
@@ -25,6 +26,9 @@ struct SheetView {
     std::optional<double> width{}, height{}; ///< mm, dimensions to be written; nullopt: none
     std::vector<SheetMark> marks{};
 };
+
+/// Box of the lines of a view in its image; empty without any.
+Box2 image_box(const SheetView& view);
 
 /// Options of laid_out.
 struct SheetOptions {

@@ -6,14 +6,16 @@
 namespace keiko {
 namespace {
 
-/// A row of a table of checks; `first` and `last`: cells of further columns.
-std::string row(const Report& report, const Check& check, std::string_view tone,
-                const std::string& first, const std::string& last) {
+/// A row of a table of checks; `id`: its anchor, if any; `first` and `last`: cells of further
+/// columns.
+std::string row(const Report& report, const Check& check, const std::string& id,
+                std::string_view tone, const std::string& first, const std::string& last) {
     std::string opens;
     if (check.face != no_index) opens = html_opens_close_up(report, CloseUp::Of::face, check.face);
     if (check.seam != no_index) opens = html_opens_close_up(report, CloseUp::Of::seam, check.seam);
     const MeasuredValue& worst = check.worst;
-    return "<tr class=\"" + std::string(tone) + "\"" + opens + ">" + first +
+    const std::string anchor = id.empty() ? "" : " id=\"" + id + "\"";
+    return "<tr" + anchor + " class=\"" + std::string(tone) + "\"" + opens + ">" + first +
            html_words_cell(check.view.empty() ? check.faces : subject_of(check)) +
            html_words_cell(check.code) + html_number_cell(worst.value, value_text(check), true) +
            html_words_cell(check.message) + html_place_cell(worst.place) + last + "</tr>\n";
@@ -40,7 +42,8 @@ std::string html_findings(const Report& report) {
                        html_table_head({"#", "where", "code", "value", "what", "place x, y, z"},
                                        {"where", "what"});
     for (std::size_t i = 0; i < findings.size(); ++i)
-        html += row(report, findings[i], outcome_of(findings[i]), number_cell(i + 1), "");
+        html += row(report, findings[i], "finding-" + std::to_string(i + 1),
+                    outcome_of(findings[i]), number_cell(i + 1), "");
     return html + std::string(html_table_end) + "</section>\n";
 }
 
@@ -58,7 +61,7 @@ std::string html_accepted(const Report& report) {
                         {"where", "what"});
     for (const Check& check : whole.accepted) {
         const AcceptanceNote& note = *check.accepted;
-        html += row(report, check, "crease", "",
+        html += row(report, check, "", "crease", "",
                     html_words_cell(note.why) + html_words_cell(note.who + ", " + note.when) +
                         html_words_cell(note.until.empty() ? "–" : note.until));
     }
@@ -72,7 +75,7 @@ std::string html_looks(const Report& report) {
         "<section><h2>Worth a look</h2><p class=\"soft\">Reported, not judged: "
         "nothing here has a part in the verdict.</p>" +
         html_table_head({"face", "code", "value", "what", "place x, y, z"}, {"face", "what"});
-    for (const Check& look : looks) html += row(report, look, "undecided", "", "");
+    for (const Check& look : looks) html += row(report, look, "", "undecided", "", "");
     return html + std::string(html_table_end) + "</section>\n";
 }
 

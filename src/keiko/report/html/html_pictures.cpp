@@ -51,7 +51,7 @@ std::string html_figures(std::span<const ReportPicture> pictures) {
 }
 
 std::string html_pictures(const Report& report) {
-    return html_section("Reflections", html_figures(report.pictures));
+    return html_section("Reflections", html_drawing(report) + html_figures(report.pictures));
 }
 
 std::string html_form(const Report& report) {

@@ -20,8 +20,12 @@ std::string html_verdict(const Report& report);
 /// The part of the body that was judged, and the zones; empty if all is judged by the preset
 /// itself.
 std::string html_scope(const Report& report);
-/// The stripe pictures with the places of the worst seams.
+/// The line drawing, and the stripe pictures with the places of the worst seams.
 std::string html_pictures(const Report& report);
+/// Style of html_drawing, for the page's style sheet.
+extern const std::string_view drawing_style;
+/// The line drawing, whose marks lead to rows of html_findings; empty without one.
+std::string html_drawing(const Report& report);
 /// A picture with its markers.
 std::string html_figure(const ReportPicture& picture);
 /// Pictures in a row; empty without any.

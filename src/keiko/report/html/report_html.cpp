@@ -166,7 +166,8 @@ std::string report_html(const Report& report) {
           html_gallery})
         html += section(report);
     html += footer(report) + "\n";
-    return html_page(html_escaped(report.inspection.facts.source), "", html, report_script);
+    return html_page(html_escaped(report.inspection.facts.source), drawing_style, html,
+                     report_script);
 }
 
 FolderContent report_files(const Report& report) {
