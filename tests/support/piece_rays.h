@@ -131,7 +131,9 @@ inline RayTally rays_along(const CurvePiece& piece, const ModelCurve& curve, con
         if (verdict != RayVerdict::wrong) continue;
         ++tally.wrong;
         ADD_FAILURE() << name_of(curve.kind) << " of face " << curve.faces[0].face << " at "
-                      << curve.course.at(t) << " is not " << piece.visible;
+                      << curve.course.at(t) << " is not " << piece.visible << ", at " << t
+                      << " of the piece from " << piece.begin << " to " << piece.end << " of "
+                      << curve.course.end();
     }
     return tally;
 }

@@ -1,5 +1,6 @@
 #include "keiko/drawing/hidden/count_changes.h"
 
+#include "keiko/drawing/hidden/chord_crossings.h"
 #include "keiko/drawing/hidden/curve_meetings.h"
 
 #include <algorithm>
@@ -10,12 +11,8 @@ namespace {
 
 /// Share of the body's size by which a curve must be nearer to hide another one.
 constexpr double nearer_by = 1e-6;
-
-/// True if p and q lie on different sides of the line through a and b. A point on it always counts
-/// to one side, so that a chain of chords that touches a line crosses it once or not at all.
-bool on_both_sides(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q) {
-    return ((b - a).cross(p - a) < 0) != ((b - a).cross(q - a) < 0);
-}
+/// Share of the body's size within which lines coincide: far more than rounding.
+constexpr double same_line = 1e-9;
 
 Box3 box_of(const ImagePoint& a, const ImagePoint& b) {
     Box3 box;
@@ -50,11 +47,13 @@ OccluderImage::OccluderImage(const ImageProjection& projection,
       chord_error_(chord_error),
       chords_(chords_of(projection, borders, outlines)),
       tree_(boxes_of(chords_)),
-      nearest_(Box3::infinity) {
+      nearest_(Box3::infinity),
+      image_error_(0) {
     for (const OccludingCurve& curve : outlines)
         outlines_[{curve.face.instance, curve.face.face}].push_back(&curve);
     for (const Chord& chord : chords_)
         nearest_ = std::min({nearest_, chord.a.depth, chord.b.depth});
+    image_error_ = projection.parallel() ? chord_error : chord_error / nearest_;
 }
 
 std::vector<OccluderImage::Chord> OccluderImage::chords_of(
@@ -98,9 +97,11 @@ void OccluderImage::add_crossings(const ModelCurve& curve,
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         const ImagePoint next = projection_.image(points[i + 1]);
         Box3 box = box_of(last, next);
+        const Vec3 bulges(2 * image_error_, 2 * image_error_, 2 * chord_error_);
+        box.lower -= bulges, box.upper += bulges;
         box.lower.z = nearest_;
         for (const std::uint32_t k : tree_.overlapping(box))
-            add_crossing(curve, i, chords_[k], last, next, found);
+            add_crossing(curve, i, chords_[k], found);
         last = next;
     }
     constexpr double same = 1e-8; // of the parameter: chords beside each other find one crossing
@@ -115,27 +116,22 @@ void OccluderImage::add_crossings(const ModelCurve& curve,
 }
 
 void OccluderImage::add_crossing(const ModelCurve& curve, std::size_t i, const Chord& chord,
-                                 const ImagePoint& a, const ImagePoint& b,
                                  std::vector<std::pair<CountChange, const void*>>& found) const {
-    const Vec2 &p = chord.a.at, &q = chord.b.at;
-    if (!on_both_sides(a.at, b.at, p, q) || !on_both_sides(p, q, a.at, b.at)) return;
-    const double area = (b.at - a.at).cross(q - p);
-    const double s = projection_.share_in_space((p - a.at).cross(q - p) / area, a.depth, b.depth);
-    const double r = projection_.share_in_space((p - a.at).cross(b.at - a.at) / area, chord.a.depth,
-                                                chord.b.depth);
-    const double depth = a.depth + s * (b.depth - a.depth);
-    const double other = chord.a.depth + r * (chord.b.depth - chord.a.depth);
+    const CurveCourse& other = chord.curve->course;
     const double least = nearer_by * size_ + curve.reach;
-    if (!(depth - other > least - 2 * chord_error_)) return;
-    const auto exact = image_crossing(
-        curve.course, chord.curve->course,
-        {static_cast<double>(i) + s, static_cast<double>(chord.index) + r}, projection_);
-    if (!exact) return;
-    const double ahead = projection_.image(curve.course.at(exact->t)).depth -
-                         projection_.image(chord.curve->course.at(exact->u)).depth;
-    if (!(ahead > least)) return;
-    found.push_back(
-        {{exact->t, crossing_change(curve, exact->t, *chord.curve, exact->u)}, chord.curve});
+    for (const CurveMeeting& near :
+         chord_crossings(curve.course, i, other, chord.index, projection_,
+                         {.bulge = image_error_,
+                         .least = least - 2 * chord_error_,
+                         .same = same_line * size_ * image_error_ / chord_error_})) {
+        const auto exact = image_crossing(curve.course, other, near, projection_);
+        if (!exact) continue;
+        const double ahead = projection_.image(curve.course.at(exact->t)).depth -
+                             projection_.image(other.at(exact->u)).depth;
+        if (!(ahead > least)) continue;
+        found.push_back(
+            {{exact->t, crossing_change(curve, exact->t, *chord.curve, exact->u)}, chord.curve});
+    }
 }
 
 int OccluderImage::crossing_change(const ModelCurve& curve, double t, const OccludingCurve& before,

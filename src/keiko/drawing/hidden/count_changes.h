@@ -43,7 +43,6 @@ private:
     static std::vector<Box3> boxes_of(std::span<const Chord> chords);
     void add_crossings(const ModelCurve& curve, std::vector<CountChange>& changes) const;
     void add_crossing(const ModelCurve& curve, std::size_t i, const Chord& chord,
-                      const ImagePoint& a, const ImagePoint& b,
                       std::vector<std::pair<CountChange, const void*>>& found) const;
     void add_contacts(const ModelCurve& curve, std::vector<CountChange>& changes) const;
     void add_ends_on(const ModelCurve& curve, const OccludingCurve& outline,
@@ -58,8 +57,9 @@ private:
     const ImageProjection& projection_;
     double size_, chord_error_;
     std::vector<Chord> chords_;
-    BoxTree tree_;   ///< of the chords: right, up, depth
-    double nearest_; ///< mm, least depth of all
+    BoxTree tree_;       ///< of the chords: right, up, depth
+    double nearest_;     ///< mm, least depth of all
+    double image_error_; ///< of the chords, in the image
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::vector<const OccludingCurve*>>
         outlines_; ///< by instance and face
 };

@@ -58,17 +58,21 @@ public:
         if (runs.size() == 1) return append(runs.front());
         for (CurvePiece& run : runs) {
             // One ray may hit the seam of a border that it passes. A run of such is none.
-            const Vec3 middle = curve_.course.at((run.begin + run.end) / 2);
-            const bool visible = sight_.visible(middle, curve_);
-            if (visible != run.visible && (visible || !sight_.visible_beside(middle, curve_)))
-                run.visible = visible;
+            const double middle = (run.begin + run.end) / 2;
+            const bool visible = sight_.visible(curve_.course.at(middle), curve_);
+            if (visible || !shows_at(middle)) run.visible = visible;
             append(run);
         }
     }
     std::vector<CurvePiece> take() { return std::move(pieces_); }
 
 private:
-    bool visible_at(double t) const { return sight_.visible(curve_.course.at(t), curve_); }
+    /// True where the curve is visible, or a place beside it: of edges that coincide in the image,
+    /// rounding alone hides one behind the border of the other.
+    bool shows_at(double t) const {
+        const Vec3 place = curve_.course.at(t);
+        return sight_.visible(place, curve_) || sight_.visible_beside(place, curve_);
+    }
 
     /// Neighbouring places of a stretch of one class. Halving finds where it changes.
     std::vector<CurvePiece> runs_of(const Stretch& stretch) const {
@@ -94,30 +98,37 @@ private:
 
     /// Rays that look for changes within a stretch, in order: at its middle, at the points of the
     /// curve in it, and ever more towards its ends. Changes that the search misses are those of
-    /// nearly tangent images, which lie beside contacts at any scale.
+    /// nearly tangent images, which lie beside contacts at any scale. A hidden place beside which
+    /// the curve is visible decides nothing, and without any that does the stretch is visible.
     std::vector<Probe> probes_of(const Stretch& stretch) const {
-        std::vector<double> places{stretch.middle()};
-        for (double t = std::floor(stretch.begin) + 1; t < stretch.end; ++t)
-            if (!is_at_end(t, stretch)) places.push_back(t);
+        std::vector<double> places = inner_places(stretch);
         const std::size_t inner = places.size();
         for (const double t : towards_ends(stretch)) places.push_back(t);
         std::vector<Vec3> points;
         for (const double t : places) points.push_back(curve_.course.at(t));
         const std::vector<PointSight> found = sight_.sights(points, curve_);
-        const bool alike = std::all_of(found.begin(), found.end(), [&](const PointSight& sight) {
-            return sight.visible == found[0].visible;
-        });
-        if (alike) return {{places[0], found[0].visible}}; // nothing changes
+        const auto is_visible = [](const PointSight& sight) { return sight.visible; };
+        if (std::all_of(found.begin(), found.end(), is_visible)) return {{places[0], true}};
+        const bool none = std::none_of(found.begin(), found.end(), is_visible);
         std::vector<Probe> probes;
         for (std::size_t i = 0; i < places.size(); ++i) {
-            const bool counts =
-                i < inner || (found[i].visible ? found[i].sure
-                                               : !sight_.visible_beside(points[i], curve_));
-            if (counts) probes.push_back({places[i], found[i].visible});
+            const bool decides = found[i].visible ? i < inner || found[i].sure
+                                                  : !sight_.visible_beside(points[i], curve_);
+            if (decides) probes.push_back({places[i], found[i].visible});
+            if (decides && none) return probes;
         }
+        if (probes.empty()) return {{places[0], true}};
         std::sort(probes.begin(), probes.end(),
                   [](const Probe& a, const Probe& b) { return a.t < b.t; });
         return probes;
+    }
+
+    /// The middle of a stretch, then the points of the curve in it.
+    std::vector<double> inner_places(const Stretch& stretch) const {
+        std::vector<double> places{stretch.middle()};
+        for (double t = std::floor(stretch.begin) + 1; t < stretch.end; ++t)
+            if (!is_at_end(t, stretch)) places.push_back(t);
+        return places;
     }
 
     /// Places in the first and the last chord of a stretch, each four times as near to the end as
@@ -157,7 +168,7 @@ private:
         constexpr int halvings = 40;
         for (int i = 0; i < halvings; ++i) {
             const double middle = (a + b) / 2;
-            (visible_at(middle) == visible ? a : b) = middle;
+            (shows_at(middle) == visible ? a : b) = middle;
         }
         return a;
     }

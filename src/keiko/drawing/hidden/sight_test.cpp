@@ -76,7 +76,9 @@ int SightTest::sheets_before(const Vec3& point, const ModelCurve& curve) const {
     const Ray ray = projection_.sight_line(point, before_);
     int sheets = 0;
     for (const Hit& hit : tracer_.all(ray)) sheets += hides(hit, ray, curve) ? 1 : 0;
-    return sheets;
+    if (sheets > 0) return sheets;
+    const auto first = tracer_.nearest(ray); // all() may keep the other one of two that overlap
+    return first && hides(*first, ray, curve) ? 1 : 0;
 }
 
 bool SightTest::visible(const Vec3& point, const ModelCurve& curve) const {
