@@ -98,8 +98,9 @@ private:
 
     /// Rays that look for changes within a stretch, in order: at its middle, at the points of the
     /// curve in it, and ever more towards its ends. Changes that the search misses are those of
-    /// nearly tangent images, which lie beside contacts at any scale. A hidden place beside which
-    /// the curve is visible decides nothing, and without any that does the stretch is visible.
+    /// nearly tangent images, which lie beside contacts at any scale. A place that another
+    /// face hides, and beside which the curve is visible, decides nothing. Without any that does
+    /// the stretch is visible.
     std::vector<Probe> probes_of(const Stretch& stretch) const {
         std::vector<double> places = inner_places(stretch);
         const std::size_t inner = places.size();
@@ -112,8 +113,10 @@ private:
         const bool none = std::none_of(found.begin(), found.end(), is_visible);
         std::vector<Probe> probes;
         for (std::size_t i = 0; i < places.size(); ++i) {
-            const bool decides = found[i].visible ? i < inner || found[i].sure
-                                                  : !sight_.visible_beside(points[i], curve_);
+            const bool is_inner = i < inner;
+            const bool decides = found[i].visible ? is_inner || found[i].sure
+                                                  : (is_inner && found[i].by_own) ||
+                                                        !sight_.visible_beside(points[i], curve_);
             if (decides) probes.push_back({places[i], found[i].visible});
             if (decides && none) return probes;
         }

@@ -60,12 +60,15 @@ bool SightTest::hides(const Hit& hit, const Ray& ray, const ModelCurve& curve) c
     const double before =
         (1 - hit.t) * length - hit.position_bound; // within its bound it may lie behind
     const double below = before * std::abs(ray.direction.dot(hit.normal)) / length;
-    const PlacedFace face{hit.instance, hit.face};
-    const bool own = std::find(curve.faces.begin(), curve.faces.end(), face) != curve.faces.end();
     if (!(before > same_place * size_ + curve.reach)) return false;
     // Within the width of a seam the line may have met this face for the one of the point.
     const double seam = hit.seam ? same_place * size_ + 2 * seam_width(hit) : 0;
-    return below > (own ? same_surface : in_surface) * size_ + curve.reach + seam;
+    return below > (is_own(hit, curve) ? same_surface : in_surface) * size_ + curve.reach + seam;
+}
+
+bool SightTest::is_own(const Hit& hit, const ModelCurve& curve) {
+    const PlacedFace face{hit.instance, hit.face};
+    return std::find(curve.faces.begin(), curve.faces.end(), face) != curve.faces.end();
 }
 
 double SightTest::seam_width(const Hit& hit) const {
@@ -96,6 +99,7 @@ std::vector<PointSight> SightTest::sights(std::span<const Vec3> points,
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (!first[i]) continue;
         found[i].visible = !hides(*first[i], rays[i], curve);
+        found[i].by_own = !found[i].visible && is_own(*first[i], curve);
         if (found[i].visible) open.push_back(i), open_rays.push_back(rays[i]);
     }
     const std::vector<std::vector<Hit>> hits = tracer_.all(open_rays);

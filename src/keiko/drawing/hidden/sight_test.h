@@ -13,6 +13,7 @@ namespace keiko {
 struct PointSight {
     bool visible = true; ///< nothing is between the eye and the point
     bool sure = true;    ///< false where a surface is only just too near to hide a visible point
+    bool by_own = false; ///< hidden by a face of the curve itself, as behind its outline
 };
 
 /// Counts by rays what hides points of curves. A surface hides a point if it lies before it by more
@@ -42,6 +43,7 @@ private:
     /// True if a hit of the line of sight hides the point at its end, at t = 1.
     bool hides(const Hit& hit, const Ray& ray, const ModelCurve& curve) const;
 
+    static bool is_own(const Hit& hit, const ModelCurve& curve);
     /// Width of the seam at which a hit was found, world, mm, at most.
     double seam_width(const Hit& hit) const;
 
