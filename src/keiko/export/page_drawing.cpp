@@ -165,7 +165,7 @@ private:
         }
     }
 
-    /// That of a failing finding, if there is one.
+    /// The tone of a failing finding, if there is one.
     std::string tone_of(const MarkGroup& group) const {
         for (const std::uint32_t number : group.numbers)
             if (tones_[number - 1] == "fail") return "fail";

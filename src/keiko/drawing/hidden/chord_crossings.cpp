@@ -25,7 +25,7 @@ struct Chord {
     }
 };
 
-/// Where the ends of one chord lie beside the line of another one.
+/// Distances of the ends of one chord from the line of another one, with signs.
 struct Sides {
     double first, second;
 

@@ -17,9 +17,9 @@ struct CrossingLimits {
 };
 
 /// The crossings in the image of chord i of a curve with chord j of another one that is nearer to
-/// the eye, each where shorter chords of the exact curves cross; distances are not set. Chords
-/// whose ends lie within their bulge of the other chord's line are halved, twice at most, so
-/// that two crossings of curves that nearly touch are both found.
+/// the eye. Each is where shorter chords of the exact curves cross; distances are not set. Chords
+/// whose ends lie within their bulge of the other chord's line are halved, twice at most. So both
+/// crossings of curves that nearly touch are found.
 std::vector<CurveMeeting> chord_crossings(const CurveCourse& a, std::size_t i, const CurveCourse& b,
                                           std::size_t j, const ImageProjection& projection,
                                           const CrossingLimits& limits);

@@ -9,7 +9,7 @@
 
 namespace keiko {
 
-/// What rays tell of a point of a curve.
+/// Visibility of a point of a curve.
 struct PointSight {
     bool visible = true; ///< nothing is between the eye and the point
     bool sure = true;    ///< false where a surface is only just too near to hide a visible point
