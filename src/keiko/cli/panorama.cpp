@@ -43,6 +43,7 @@ int panorama(const PanoramaArguments& arguments, const Job& job) {
     require_image_extension(arguments.output);
     std::vector<std::filesystem::path> inputs = arguments.scene.inputs;
     inputs.push_back(arguments.rig);
+    inputs.push_back(arguments.scene.solution);
     withdraw_results({.files = {arguments.output}, .folders = {}}, inputs);
     const Scene scene = arguments.scene.open(job);
     const LightRig rig = rig_of(scene, arguments.rig);
@@ -68,8 +69,10 @@ void add_panorama(CLI::App& app, Session& session) {
         .add_option("-o,--output", arguments->output, "picture: .exr in cd/m2, or .png to look at")
         ->type_name("FILE")
         ->required();
-    command.add_option("--rig", arguments->rig, "rig file instead of the scene's lamps")
-        ->type_name("FILE");
+    CLI::Option* rig =
+        command.add_option("--rig", arguments->rig, "rig file instead of the scene's lamps")
+            ->type_name("FILE");
+    arguments->scene.add_solution(command)->needs("--shadows")->excludes(rig);
     command
         .add_option("--width", arguments->width,
                     "pixels of a row, twice the height; with --cube of the side of a square")

@@ -21,7 +21,9 @@ struct RadiosityArguments {
 void print_summary(const RadiositySolution& solution, const std::filesystem::path& output) {
     const EnergyBalance& balance = solution.balance;
     TextLines summary;
-    summary.line() << output.string() << ": " << solution.triangles.size() << " elements";
+    summary.line() << output.string() << ": " << solution.elements << " elements in "
+                   << solution.triangles.size() << " triangles, " << solution.factor_rows
+                   << " rows of form factors";
     summary.line() << std::setprecision(5) << "reflected first " << luminance(balance.emitted)
                    << " lm, absorbed " << luminance(balance.absorbed) << " lm, escaped "
                    << luminance(balance.escaped) << " lm, missing " << luminance(balance.missing())
@@ -59,7 +61,8 @@ void add_radiosity(CLI::App& app, Session& session) {
         ->required();
     command.footer(
         "keiko illuminance and render take it by --solution. It holds for the scene's geometry, "
-        "lamps and reflectances, whatever the view; [radiosity] of the scene says how fine it is. "
+        "lamps and reflectances, whatever the view and the levels of the lamps; [radiosity] of the "
+        "scene says how fine it is. "
         "Interrupted, it keeps the light that has been found.\n"
         "Exit codes: 0 solved, 2 error, 130 interrupted.\n"
         "Example: keiko radiosity room-scene.toml -o room.solution");

@@ -94,6 +94,7 @@ void render_lamps(const RenderArguments& arguments, const Scene& scene, const Sc
     note_environment(scene);
     PictureOptions options{.aovs = arguments.aovs(), .tubes = arguments.tubes()};
     options.light_error = arguments.light_error, options.edge_samples = arguments.edge_samples;
+    options.gather_rays = arguments.gather_rays;
     const ShownQuantity quantity = arguments.quantity();
     if (quantity == ShownQuantity::illuminance) options.aovs.push_back(Aov::illuminance);
     const Film film = render_eyes(arguments, scene, shown, rig, view.camera, options, job);

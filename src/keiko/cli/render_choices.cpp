@@ -136,7 +136,8 @@ std::string RenderArguments::key() const {
     std::ostringstream settings;
     settings << std::setprecision(17) << options.material << '\n'
              << options.clipping_only << options.shadows << false_color << iso_lines << '\n'
-             << light_error << ' ' << edge_samples << ' ' << eye_distance_ << '\n';
+             << light_error << ' ' << edge_samples << ' ' << gather_rays << ' ' << eye_distance_
+             << '\n';
     for (const std::string& text :
          {scene.size, view, rig, aovs_, scale_, quantity_, penumbrae_, tone_, look_, pull_,
           section_, stereo_, hidden_surfaces_, mesh_shadows_, mesh_})

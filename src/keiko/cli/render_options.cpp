@@ -13,6 +13,14 @@ void RenderArguments::add_to(CLI::App& command) {
     command.add_option("-o,--output", output, "image.exr (cd/m2, AOVs) or image.png")->required();
     add_light(command);
     of_lamps_.push_back(solution->excludes("--rig")->needs("--shadows"));
+    of_lamps_.push_back(
+        command
+            .add_option("--gather", gather_rays,
+                        "rays that gather the light of surfaces at each pixel, slower and noisy by "
+                        "some percent at 256; 0: it is interpolated between corners of elements")
+            ->check(CLI::Range(0, 65536))
+            ->needs(solution)
+            ->capture_default_str());
     command
         .add_option("--aov", aovs_,
                     "layers of an .exr, comma-separated: luminance, normal, uv, face, patch, "

@@ -34,6 +34,7 @@ public:
     bool resume = false;          ///< --resume
     double light_error = PictureOptions().light_error; ///< share, 0 to 0.1
     int edge_samples = PictureOptions().edge_samples;  ///< a side of a pixel, 1 to 16
+    int gather_rays = 0; ///< at each pixel, 0 to 65536; 0: light of surfaces is interpolated
 
     /// Adds all options to a command.
     void add_to(CLI::App& command);

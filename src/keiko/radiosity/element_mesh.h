@@ -9,12 +9,13 @@
 
 namespace keiko {
 
-/// Triangles on the exact surfaces of a placed model. Each is an element with two faces, that
-/// exchange light: its front, where the corners run anticlockwise, and its back.
+/// Triangles on the exact surfaces of a placed model. Neighbours on a face form an element. It has
+/// two faces that exchange light: its front, where the corners run anticlockwise, and its back.
 struct ElementMesh {
     SurfaceMesh mesh;                     ///< its faces are indices into SurfaceModel::faces
     std::vector<Vec2> uv;                 ///< a corner: its face parameters
     std::vector<std::uint32_t> instances; ///< a triangle: into SurfaceModel::instances
+    std::vector<std::uint32_t> elements;  ///< a triangle: the number of its element, from 0
 
     /// Number of triangles.
     std::size_t size() const { return mesh.triangles.size(); }

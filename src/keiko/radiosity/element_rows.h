@@ -2,39 +2,41 @@
 
 #include "keiko/base/job.h"
 #include "keiko/math/rgb.h"
-#include "keiko/radiosity/element_mesh.h"
-#include "keiko/radiosity/hemicube.h"
+#include "keiko/radiosity/elements.h"
+#include "keiko/radiosity/gather_rays.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <span>
 #include <vector>
 
 namespace keiko {
 
-/// Exchange areas of the faces of elements, all fronts, then all backs, by hemicubes in the middles
-/// of the four quarters of each triangle. A row is computed when it is needed first, with some that
-/// are likely to be next, and kept.
+/// Form factors of the faces of elements, all fronts, then all backs, by rays from places spread
+/// over each face to the exact surfaces: the share of them that meets another face. Rows sum to 1
+/// in a closed scene.
 class ElementRows {
 public:
-    /// `cells`: of the hemicubes. `order`: of the faces as rows are likely to be needed. Keeps
-    /// references to the elements and the job.
-    ElementRows(const ElementMesh& elements, int cells, std::vector<std::size_t> order,
-                const Job& job);
+    /// `rays` of a face. Keeps references to elements and rays.
+    ElementRows(const Elements& elements, const GatherRays& gather, int rays);
 
-    /// Exchange areas of a face with all, in their order, mm2. Throws Cancelled.
-    std::vector<double> row(std::size_t face);
-    /// Light that faces receive of these radiosities, lx, each by its own row: for equal
-    /// radiosities the rounding of outlines to cells cancels. Throws Cancelled.
-    std::vector<Rgb> gathered(std::span<const Rgb> radiosity, std::span<const std::size_t> faces);
-    /// Light of these radiosities that no element receives, lm/m2 times mm2: what the rows of
-    /// `faces` lack of 1. Throws Cancelled.
-    Rgb escaped(std::span<const Rgb> radiosity, std::span<const std::size_t> faces);
-    /// Area of a face, mm2.
-    double area(std::size_t face) const { return elements_.area(face % elements_.size()); }
-    /// Number of rows computed so far.
-    std::size_t computed() const { return computed_; }
+    /// Computes the rows. A few rays of each face come first; the others follow for those that
+    /// light can reach from `lit` faces, also over others, by the first ones. After Cancelled, rows
+    /// that are not done have the first rays, or nothing.
+    void compute(const std::vector<bool>& lit, const Job& job);
+
+    /// Light that a face receives of these radiosities, lx.
+    Rgb arriving(std::size_t face, std::span<const Rgb> radiosity) const;
+    /// Share of the light of a face that leaves the scene.
+    double leaving(std::size_t face) const { return leaving_[face]; }
+    /// Form factor of a face to another, of a row that has been computed.
+    double form_factor(std::size_t from, std::size_t to) const;
+    /// True for faces that light can reach; all before compute().
+    const std::vector<bool>& reached() const { return reached_; }
+    /// Number of faces.
+    std::size_t size() const { return rows_.size(); }
+    /// Number of rows computed with all rays.
+    std::size_t computed() const;
 
 private:
     /// A face and its form factor.
@@ -42,18 +44,16 @@ private:
         std::uint32_t face;
         float factor;
     };
+    void compute_row(std::size_t face, int rays);
+    void find_reached(const std::vector<bool>& lit);
 
-    std::vector<Entry> computed_row(std::size_t face) const;
-    void compute(std::span<const std::size_t> faces);
-    void compute_missing(std::span<const std::size_t> faces);
-
-    const ElementMesh& elements_;
-    Hemicube cube_;
-    std::vector<std::size_t> order_;
-    const Job& job_;
-    std::size_t next_ = 0; ///< into order_
-    std::size_t computed_ = 0;
-    std::vector<std::optional<std::vector<Entry>>> rows_; ///< a face
+    const Elements& elements_;
+    const GatherRays& gather_;
+    int rays_;
+    std::vector<std::vector<Entry>> rows_;
+    std::vector<double> leaving_;
+    std::vector<bool> reached_;
+    std::vector<char> complete_; ///< rows, written by several threads
 };
 
 } // namespace keiko

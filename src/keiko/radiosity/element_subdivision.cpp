@@ -22,7 +22,7 @@ ElementSubdivision::ElementSubdivision(const SurfaceModel& model, double deviati
     elements_.mesh.deviation = deviation;
     if (elements_.size() > most_triangles)
         throw FieldError("deviation", "needs " + std::to_string(elements_.size()) +
-                                          " elements, of at most " +
+                                          " triangles, of at most " +
                                           std::to_string(most_triangles) + "; take a larger one");
 }
 
@@ -64,6 +64,7 @@ void ElementSubdivision::add_triangle(const std::array<std::uint32_t, 3>& corner
     }
     elements_.mesh.faces.push_back(face);
     elements_.instances.push_back(instance);
+    elements_.elements.push_back(number);
     for (unsigned i = 0; i < 3; ++i) replace(corners[i], corners[(i + 1) % 3], no_index, number);
 }
 
@@ -122,7 +123,7 @@ void ElementSubdivision::split(std::uint32_t triangle, unsigned side, std::uint3
                                std::vector<std::uint32_t>& changed) {
     if (elements_.size() >= most_triangles)
         throw FieldError("element", "needs more than " + std::to_string(most_triangles) +
-                                        " elements; take a larger one");
+                                        " triangles; take a larger one");
     const auto corners = elements_.mesh.triangles[triangle];
     const std::uint32_t a = corners[side], b = corners[(side + 1) % 3], c = corners[(side + 2) % 3];
     const auto added = static_cast<std::uint32_t>(elements_.size());
@@ -130,13 +131,14 @@ void ElementSubdivision::split(std::uint32_t triangle, unsigned side, std::uint3
     elements_.mesh.triangles.push_back({middle, b, c});
     elements_.mesh.faces.push_back(elements_.mesh.faces[triangle]);
     elements_.instances.push_back(elements_.instances[triangle]);
+    elements_.elements.push_back(elements_.elements[triangle]);
     replace(a, middle, no_index, triangle);
     replace(middle, b, no_index, added);
     replace(b, c, triangle, added);
     replace(middle, c, no_index, triangle);
     replace(middle, c, no_index, added);
     if (!(std::min(elements_.area(triangle), elements_.area(added)) > 0))
-        throw FieldError("element", "leaves elements without area; take a larger one");
+        throw FieldError("element", "leaves triangles without area; take a larger one");
     changed.insert(changed.end(), {triangle, added});
 }
 

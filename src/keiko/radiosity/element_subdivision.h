@@ -10,18 +10,19 @@
 #include <cstdint>
 #include <functional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace keiko {
 
-/// Elements of a model, bisected where they are wanted smaller. A triangle is cut across its
+/// Triangles of a model, bisected where they are wanted smaller. A triangle is cut across its
 /// longest side. Before, its neighbour there is cut until that side is the longest of both
 /// [Rivara1984]: within a face no corner comes to lie on the side of another triangle. New corners
 /// lie on the exact surface.
 class ElementSubdivision {
 public:
     /// Most triangles that a mesh may have.
-    static constexpr std::size_t most_triangles = 10000;
+    static constexpr std::size_t most_triangles = 100000;
 
     /// Begins with the triangles of span_mesh() within `deviation` mm, above 0, of all instances.
     /// Faces that are `left_out`, one value a face, have none. Keeps a reference to the model.
@@ -29,8 +30,11 @@ public:
     ElementSubdivision(const SurfaceModel& model, double deviation,
                        const std::vector<bool>& left_out, const Job& job = {});
 
-    /// The elements.
+    /// The triangles; each is an element of its own until join() has been called.
     const ElementMesh& elements() const { return elements_; }
+    /// Makes elements of triangles: the number of its own for each. Both halves of a triangle that
+    /// is cut later belong to its element.
+    void join(std::vector<std::uint32_t> elements) { elements_.elements = std::move(elements); }
     /// Cuts each triangle, and each that comes of it, as long as it is `wanted`. Returns the
     /// numbers of those that changed or are new, rising. Throws FieldError beyond `most_triangles`,
     /// and if a piece has no area.

@@ -1,113 +1,92 @@
 #include "keiko/radiosity/reflected_light.h"
 
-#include "keiko/raster/smooth_shading.h"
+#include "keiko/radiosity/interpolated_radiosity.h"
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include <bit>
+#include <cstdint>
+#include <utility>
 
 namespace keiko {
 namespace {
 
-/// Cells along an edge of the hemicube of a point in space.
-constexpr int cells_in_space = 256;
-
-using Triangle = std::array<Vec3, 3>;
-
-Triangle corners_of(const RadiositySolution& s, std::size_t triangle) {
-    const auto& [a, b, c] = s.triangles[triangle];
-    return {s.corners[a], s.corners[b], s.corners[c]};
+/// A quantity of all lamps at their levels.
+std::vector<BothSides> at_levels(const RadiositySolution& solution, std::span<const Rgb> levels,
+                                 std::vector<BothSides> LampSolution::*what) {
+    std::vector<BothSides> sum(what == &LampSolution::arriving ? solution.corners.size()
+                                                               : solution.elements);
+    for (std::size_t lamp = 0; lamp < solution.lamps.size(); ++lamp)
+        for (std::size_t i = 0; i < sum.size(); ++i)
+            for (const std::size_t side : {0, 1})
+                sum[i][side] += (solution.lamps[lamp].*what)[i][side] * levels[lamp];
+    return sum;
 }
 
-double longest_side(const Triangle& t) {
-    return std::max({(t[1] - t[0]).length(), (t[2] - t[1]).length(), (t[0] - t[2]).length()});
+/// Reflectances of all fronts, then of all backs.
+std::vector<Rgb> of_faces(const RadiositySolution& solution, std::span<const Rgb> reflectances) {
+    std::vector<Rgb> all(2 * solution.elements);
+    for (const SolvedTriangle& triangle : solution.triangles)
+        all[triangle.element] = reflectances[triangle.face];
+    for (std::size_t e = 0; e < solution.elements; ++e) all[solution.elements + e] = all[e];
+    return all;
 }
 
-Vec3 normal_of(const Triangle& t) {
-    return (t[1] - t[0]).cross(t[2] - t[0]);
+std::vector<Rgb> fronts_then_backs(std::span<const BothSides> both) {
+    std::vector<Rgb> faces;
+    for (const std::size_t side : {0, 1})
+        for (const BothSides& of : both) faces.push_back(of[side]);
+    return faces;
 }
 
-std::vector<Box3> boxes_of(const RadiositySolution& s) {
-    std::vector<Box3> boxes(s.triangles.size());
-    for (std::size_t t = 0; t < boxes.size(); ++t)
-        for (const Vec3& corner : corners_of(s, t)) boxes[t].extend(corner);
-    return boxes;
-}
-
-std::vector<std::array<Rgb, 2>> corner_light(const RadiositySolution& s) {
-    std::vector<std::array<Rgb, 2>> light(s.corners.size());
-    std::vector<double> areas(s.corners.size());
-    for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-        const double area = normal_of(corners_of(s, t)).length() / 2;
-        for (const std::uint32_t corner : s.triangles[t]) {
-            areas[corner] += area;
-            for (std::size_t side = 0; side < 2; ++side)
-                light[corner][side] += s.light[t][side].arriving * area;
-        }
-    }
-    for (std::size_t c = 0; c < light.size(); ++c)
-        for (Rgb& value : light[c]) value = areas[c] > 0 ? value / areas[c] : Rgb();
-    return light;
-}
-
-/// Shares of the corners at the foot of a point on the plane of a triangle, drawn to its inside.
-Vec3 weights_at(const Triangle& t, const Vec3& point) {
-    Ray down;
-    down.origin = point, down.direction = normal_of(t);
-    return weights_within(ray_weights(t, down));
+/// A number that places have of their own, the same in every run.
+std::uint64_t seed_of(const Vec3& place) {
+    constexpr std::uint64_t first = 0x9e3779b97f4a7c15U, second = 0xc2b2ae3d27d4eb4fU;
+    return std::bit_cast<std::uint64_t>(place.x) + first * std::bit_cast<std::uint64_t>(place.y) +
+           second * std::bit_cast<std::uint64_t>(place.z);
 }
 
 } // namespace
 
-ReflectedLight::ReflectedLight(RadiositySolution solution)
-    : solution_(std::move(solution)),
-      cube_(cells_in_space),
-      tree_(boxes_of(solution_)),
-      corner_light_(corner_light(solution_)) {
-    mesh_.positions = solution_.corners;
-    mesh_.triangles = solution_.triangles;
+ReflectedLight::ReflectedLight(const RadiositySolution& solution, std::span<const Rgb> levels,
+                               std::span<const Rgb> reflectances, SurfaceModel model, Tracer tracer)
+    : model_(std::move(model)),
+      tracer_(std::move(tracer)),
+      near_(solution.element_size),
+      corners_(solution.corners),
+      triangles_(solution.triangles),
+      locator_(model_, corners_, triangles_),
+      rays_(tracer_, locator_, triangles_, solution.elements),
+      arriving_(at_levels(solution, levels, &LampSolution::arriving)),
+      exitance_(fronts_then_backs(at_levels(solution, levels, &LampSolution::exitance))),
+      reflectances_(of_faces(solution, reflectances)) {}
+
+std::optional<Rgb> ReflectedLight::on_surface(const Root& place, const Vec3& normal) const {
+    const Vec2 uv = unit_square.nearest(place.uv.center());
+    const auto found = locator_.at(place.instance, place.patch, uv);
+    if (!found) return std::nullopt;
+    const SurfaceDerivatives s = evaluate(model_.patch(place.patch), uv, 2);
+    const Affine& placed = model_.instances[place.instance].transform;
+    const Vec3 across = placed.vector(s.du()).cross(placed.vector(s.dv()));
+    const bool front =
+        (across.dot(normal) >= 0) == locator_.front_is_normal(place.instance, place.patch);
+    const std::size_t side = front ? 0 : 1;
+    return interpolated(arriving_, triangles_[found->triangle], found->shares, side);
 }
 
-std::optional<Rgb> ReflectedLight::on_surface(const Vec3& point, const Vec3& normal) const {
-    constexpr double least_cosine = 0.5;
-    std::optional<std::uint32_t> nearest;
-    Vec3 weights(0);
-    double distance = std::numeric_limits<double>::infinity();
-    const auto cosine = [&](std::uint32_t triangle) {
-        return normal_of(corners_of(solution_, triangle)).normalized().dot(normal);
-    };
-    tree_.visit_near(point, distance, [&](std::uint32_t triangle) {
-        if (!(std::abs(cosine(triangle)) >= least_cosine)) return distance;
-        const Triangle corners = corners_of(solution_, triangle);
-        const Vec3 shares = weights_at(corners, point);
-        const double away = (mixed(shares, corners) - point).length();
-        if (away < distance) nearest = triangle, weights = shares, distance = away;
-        return distance;
-    });
-    if (!nearest || distance > longest_side(corners_of(solution_, *nearest))) return std::nullopt;
-    const std::size_t side = cosine(*nearest) >= 0 ? 0 : 1;
-    const auto& [a, b, c] = solution_.triangles[*nearest];
-    return mixed(weights, std::array<Rgb, 3>{corner_light_[a][side], corner_light_[b][side],
-                                             corner_light_[c][side]});
-}
-
-Rgb ReflectedLight::in_space(const Vec3& point, const Vec3& normal) const {
-    Job alone; // many points at once have a thread each
-    alone.threads = 1;
-    const std::vector<double> factors = cube_.form_factors(mesh_, point, normal, alone);
+Rgb ReflectedLight::gathered(const LightPoint& point, int rays) const {
+    constexpr int rays_near = 16; // from each place that is near
+    const InterpolatedRadiosity radiosity(triangles_, arriving_, exitance_, reflectances_);
+    const std::uint64_t seed = seed_of(point.position);
     Rgb sum;
-    for (std::size_t i = 0; i < factors.size(); ++i) {
-        const bool back = i >= solution_.light.size();
-        const auto& element = solution_.light[back ? i - solution_.light.size() : i];
-        sum += element[back ? 1 : 0].radiosity * factors[i];
+    std::uint64_t number = seed;
+    for (const MetElement& met : rays_.met({&point, 1}, rays, seed)) {
+        ++number;
+        if (!met.reflects()) continue;
+        const bool is_near = met.distance < near_;
+        sum += is_near
+                   ? radiosity.at(met, radiosity.mean(rays_.met({&met.at, 1}, rays_near, number)))
+                   : radiosity.at(met);
     }
-    return sum;
-}
-
-Rgb ReflectedLight::arriving(const Vec3& point, const Vec3& normal) const {
-    const std::optional<Rgb> light = on_surface(point, normal);
-    return light ? *light : in_space(point, normal);
+    return sum / rays;
 }
 
 } // namespace keiko

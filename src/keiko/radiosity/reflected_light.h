@@ -1,12 +1,14 @@
 #pragma once
 
-#include "keiko/base/export.h"
-#include "keiko/geometry/bvh/box_tree.h"
-#include "keiko/radiosity/hemicube.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/intersect/traversal/tracer.h"
+#include "keiko/radiosity/element_locator.h"
+#include "keiko/radiosity/elements.h"
+#include "keiko/radiosity/gather_rays.h"
 #include "keiko/radiosity/radiosity_solution.h"
 
-#include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace keiko {
@@ -14,28 +16,37 @@ namespace keiko {
 /// Reflected light of a solution at points of its scene.
 class ReflectedLight {
 public:
-    /// Solution whose numbers of corners are in range.
-    explicit ReflectedLight(RadiositySolution solution);
+    /// Rays that gather light for a number.
+    static constexpr int rays_of_numbers = 16384;
 
-    /// The solution.
-    const RadiositySolution& solution() const { return solution_; }
-    /// Illuminance in lx, without direct light, of a point of a surface on the side of its unit
-    /// normal. It is interpolated between the corners of the nearest element whose normal or its
-    /// opposite is within 60 degrees. A corner has the mean of the elements around, by their areas.
-    /// nullopt without such an element, or if it is farther away than its longest side.
-    std::optional<Rgb> on_surface(const Vec3& point, const Vec3& normal) const;
-    /// Illuminance in lx, without direct light, of a point on no element, by its own hemicube, on
-    /// this thread. Throws Cancelled for a stop of its scope.
-    Rgb in_space(const Vec3& point, const Vec3& normal) const;
-    /// Illuminance in lx by on_surface(), or else by in_space().
-    Rgb arriving(const Vec3& point, const Vec3& normal) const;
+    /// Solution whose numbers of corners, faces and instances are in range, at `levels` of the
+    /// lamps. `reflectances`: a face of the model. `tracer`: of what reflects and hides light in
+    /// it.
+    ReflectedLight(const RadiositySolution& solution, std::span<const Rgb> levels,
+                   std::span<const Rgb> reflectances, SurfaceModel model, Tracer tracer);
+    ReflectedLight(const ReflectedLight&) = delete;
+    ReflectedLight& operator=(const ReflectedLight&) = delete;
+
+    /// Illuminance in lx, without direct light, at a place of a surface on the side of the unit
+    /// normal, interpolated between the corners of its triangle; nullopt without one.
+    std::optional<Rgb> on_surface(const Root& place, const Vec3& normal) const;
+    /// Illuminance in lx, without direct light, of any point, gathered by `rays` from the
+    /// radiosities of the elements that they meet. Places nearer than an element is large gather
+    /// anew what arrives there: it changes within the element. Throws Cancelled for a stop of its
+    /// scope.
+    Rgb gathered(const LightPoint& point, int rays = rays_of_numbers) const;
 
 private:
-    RadiositySolution solution_;
-    SurfaceMesh mesh_; ///< for the hemicube
-    Hemicube cube_;
-    BoxTree tree_;                                 ///< of the triangles
-    std::vector<std::array<Rgb, 2>> corner_light_; ///< lx, of fronts and backs
+    SurfaceModel model_;
+    Tracer tracer_;
+    double near_; ///< mm
+    std::vector<Vec2> corners_;
+    std::vector<SolvedTriangle> triangles_;
+    ElementLocator locator_;
+    GatherRays rays_;
+    std::vector<BothSides> arriving_; ///< lx at each corner
+    std::vector<Rgb> exitance_;       ///< lm/m2 by direct light, of fronts, then of backs
+    std::vector<Rgb> reflectances_;   ///< likewise
 };
 
 } // namespace keiko

@@ -6,6 +6,10 @@
 #include <array>
 #include <charconv>
 #include <cstddef>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace keiko {
 namespace {
@@ -29,6 +33,11 @@ public:
         return word({digits.data(), static_cast<std::size_t>(end - digits.data())});
     }
     Writer& color(const Rgb& c) { return number(c.r).number(c.g).number(c.b); }
+    /// A colour of light, in single precision.
+    Writer& light(const Rgb& c) {
+        const auto rounded = [](double x) { return static_cast<float>(x); };
+        return number(rounded(c.r)).number(rounded(c.g)).number(rounded(c.b));
+    }
     void end_line() { text_ += '\n'; }
     std::string taken() { return std::move(text_); }
 
@@ -70,6 +79,12 @@ public:
     Rgb color(double least) {
         const double r = number(least, most), g = number(least, most), b = number(least, most);
         return {r, g, b};
+    }
+    /// A colour of light, in single precision.
+    Rgb light() {
+        const auto channel = [&] { return number(0.0F, static_cast<float>(most)); };
+        const float r = channel(), g = channel();
+        return {r, g, channel()};
     }
     /// Number of lines that follow, each of at least `bytes`.
     std::size_t count(std::size_t bytes) { return number(std::size_t{0}, rest_.size() / bytes); }
@@ -113,24 +128,49 @@ Rgb named_color(Reader& in, std::string_view name) {
     return in.color(-most);
 }
 
+/// Bytes that a number and the blank after it take at least.
+constexpr std::size_t least_digits = 2;
+
 void read_corners(Reader& in, RadiositySolution& solution) {
     in.expect("corners");
-    for (std::size_t left = in.count(6); left > 0; --left) {
-        const double x = in.number(-most, most), y = in.number(-most, most);
-        solution.corners.emplace_back(x, y, in.number(-most, most));
+    for (std::size_t left = in.count(2 * least_digits); left > 0; --left) {
+        const double u = in.number(-most, most);
+        solution.corners.emplace_back(u, in.number(-most, most));
     }
 }
 
 void read_triangles(Reader& in, RadiositySolution& solution) {
+    in.expect("elements");
+    solution.elements = in.count(1);
     in.expect("triangles");
-    const std::size_t count = in.count(30);
-    if (count > 0 && solution.corners.empty()) throw in.error("has triangles without corners");
+    const std::size_t count = in.count(6 * least_digits);
+    if (count > 0 && (solution.corners.empty() || solution.elements == 0))
+        throw in.error("has triangles without corners or elements");
     const auto last = static_cast<std::uint32_t>(solution.corners.size() - 1);
+    const auto last_element = static_cast<std::uint32_t>(solution.elements - 1);
     for (std::size_t t = 0; t < count; ++t) {
-        auto& corners = solution.triangles.emplace_back();
-        for (std::uint32_t& corner : corners) corner = in.number(std::uint32_t{0}, last);
-        auto& light = solution.light.emplace_back();
-        for (ElementLight& side : light) side.arriving = in.color(0), side.radiosity = in.color(0);
+        SolvedTriangle& triangle = solution.triangles.emplace_back();
+        for (std::uint32_t& corner : triangle.corners) corner = in.number(0U, last);
+        triangle.element = in.number(0U, last_element);
+        constexpr std::uint32_t any = std::numeric_limits<std::uint32_t>::max();
+        triangle.instance = in.number(0U, any);
+        triangle.face = in.number(0U, any);
+    }
+}
+
+std::vector<BothSides> read_light(Reader& in, std::string_view name, std::size_t count) {
+    in.expect(name);
+    std::vector<BothSides> light;
+    for (std::size_t i = 0; i < count; ++i)
+        for (BothSides& both = light.emplace_back(); Rgb & side : both) side = in.light();
+    return light;
+}
+
+void write_light(Writer& out, std::string_view name, std::span<const BothSides> light) {
+    out.word(name).end_line();
+    for (const BothSides& both : light) {
+        for (const Rgb& side : both) out.light(side);
+        out.end_line();
     }
 }
 
@@ -142,18 +182,23 @@ std::string solution_text(const RadiositySolution& solution) {
     out.word("geometry").word(solution.geometry).end_line();
     out.word("lighting").word(solution.lighting).end_line();
     out.word("remaining").number(solution.remaining).end_line();
+    out.word("rows").number(solution.factor_rows).end_line();
+    out.word("element").number(solution.element_size).end_line();
     out.word("emitted").color(solution.balance.emitted).end_line();
     out.word("absorbed").color(solution.balance.absorbed).end_line();
     out.word("escaped").color(solution.balance.escaped).end_line();
     out.word("corners").number(solution.corners.size()).end_line();
-    for (const Vec3& corner : solution.corners)
-        out.number(corner.x).number(corner.y).number(corner.z).end_line();
+    for (const Vec2& corner : solution.corners) out.number(corner.x).number(corner.y).end_line();
+    out.word("elements").number(solution.elements).end_line();
     out.word("triangles").number(solution.triangles.size()).end_line();
-    for (std::size_t t = 0; t < solution.triangles.size(); ++t) {
-        for (const std::uint32_t corner : solution.triangles[t]) out.number(corner);
-        for (const ElementLight& side : solution.light[t])
-            out.color(side.arriving).color(side.radiosity);
-        out.end_line();
+    for (const SolvedTriangle& t : solution.triangles) {
+        for (const std::uint32_t corner : t.corners) out.number(corner);
+        out.number(t.element).number(t.instance).number(t.face).end_line();
+    }
+    out.word("lamps").number(solution.lamps.size()).end_line();
+    for (const LampSolution& lamp : solution.lamps) {
+        write_light(out, "arriving", lamp.arriving);
+        write_light(out, "exitance", lamp.exitance);
     }
     return out.taken();
 }
@@ -166,11 +211,21 @@ RadiositySolution parse_solution(std::string_view text, const std::string& sourc
     solution.lighting = hash_from(in, "lighting");
     in.expect("remaining");
     solution.remaining = in.number(0.0, most);
+    in.expect("rows");
+    solution.factor_rows = in.number(std::size_t{0}, std::numeric_limits<std::size_t>::max());
+    in.expect("element");
+    solution.element_size = in.number(0.0, most);
     solution.balance.emitted = named_color(in, "emitted");
     solution.balance.absorbed = named_color(in, "absorbed");
     solution.balance.escaped = named_color(in, "escaped");
     read_corners(in, solution);
     read_triangles(in, solution);
+    in.expect("lamps");
+    for (std::size_t left = in.count(1); left > 0; --left) {
+        LampSolution& lamp = solution.lamps.emplace_back();
+        lamp.arriving = read_light(in, "arriving", solution.corners.size());
+        lamp.exitance = read_light(in, "exitance", solution.elements);
+    }
     in.end();
     return solution;
 }

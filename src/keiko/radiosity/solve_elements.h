@@ -1,35 +1,33 @@
 #pragma once
 
 #include "keiko/base/job.h"
-#include "keiko/radiosity/element_subdivision.h"
+#include "keiko/geometry/model/surface_model.h"
+#include "keiko/intersect/traversal/tracer.h"
+#include "keiko/radiosity/element_division.h"
+#include "keiko/radiosity/element_mesh.h"
 #include "keiko/radiosity/radiosity_solution.h"
 #include "keiko/scene/radiosity_spec.h"
 
-#include <array>
-#include <functional>
 #include <span>
-#include <vector>
 
 namespace keiko {
 
-/// Direct light, lx, of the front and the back of an element.
-using DirectLightOf = std::function<std::array<Rgb, 2>(const ElementMesh&, std::uint32_t triangle)>;
+/// A scene whose surfaces reflect light onto each other; keeps references to everything.
+struct ReflectingScene {
+    const SurfaceModel& model;         ///< visible
+    const Tracer& tracer;              ///< of what reflects and hides light
+    std::span<const Rgb> reflectances; ///< a face of the model, below 1
+};
 
-/// Direct light, lx, of elements, of their fronts and backs. Elements are cut where they are longer
-/// than `spec.element`, or than half of their distance from `near`. They are cut, too, where the
-/// light of neighbours differs by more than `spec.contrast` of the brighter one, or of the mean of
-/// all lit faces if that is brighter, down to `spec.smallest`. `light` is called from several
-/// threads. Throws Cancelled, and FieldError for too many elements.
-std::vector<std::array<Rgb, 2>> light_elements(ElementSubdivision& elements,
-                                               const RadiositySpec& spec, const Box3& near,
-                                               const DirectLightOf& light, const Job& job = {});
+/// Reflected light of elements under direct light, lamp by lamp, by form factors of `spec.rays`
+/// rays each; then that at the corners of all triangles. `levels`: of the lamps, for the balance.
+/// Hashes are left empty. A stop of the job ends it early with a solution whose `remaining` says
+/// so.
+RadiositySolution solve_elements(const ReflectingScene& scene, const ElementMesh& mesh,
+                                 const DirectLights& direct, std::span<const Rgb> levels,
+                                 const RadiositySpec& spec, const Job& job = {});
 
-/// Reflected light of elements under direct light, by progressive refinement with a hemicube for
-/// each that shoots. `reflectances`: a face of the model. Hashes are left empty. A stop of the job
-/// ends it early with a solution whose `remaining` says so.
-RadiositySolution solve_elements(const ElementMesh& elements,
-                                 std::span<const std::array<Rgb, 2>> direct,
-                                 std::span<const Rgb> reflectances, const RadiositySpec& spec,
-                                 const Job& job = {});
+/// Triangles of a mesh as a solution has them.
+std::vector<SolvedTriangle> solved_triangles(const ElementMesh& mesh);
 
 } // namespace keiko

@@ -8,16 +8,14 @@
 namespace keiko {
 
 std::optional<Hit> nearest_along(const Tracer& surfaces, const Vec3& point, const Vec3& normal,
-                                 double reach, std::optional<PlacedFace> only) {
+                                 double reach) {
     Ray across;
     across.origin = point;
     across.direction = normal;
     across.t_min = -reach, across.t_max = reach;
     std::optional<Hit> nearest;
-    for (const Hit& hit : surfaces.all(across)) {
-        if (only && (hit.instance != only->instance || hit.face != only->face)) continue;
+    for (const Hit& hit : surfaces.all(across))
         if (!nearest || std::abs(hit.t) < std::abs(nearest->t)) nearest = hit;
-    }
     return nearest;
 }
 
@@ -95,10 +93,8 @@ std::vector<Rgb> LitScene::direct(const Vec3& point, const Vec3& normal) const {
 
 Rgb LitScene::reflected(const Vec3& point, const Vec3& normal) const {
     if (!scene_.reflected) return {};
-    const auto hit = place_of(point, normal).hit;
-    const bool is_divided = hit && !scene_.seen_materials()[hit->face].glass;
-    return is_divided ? scene_.reflected->arriving(point, normal)
-                      : scene_.reflected->in_space(point, normal);
+    const Place place = place_of(point, normal);
+    return scene_.reflected->gathered({place.position, normal, place.root()});
 }
 
 } // namespace keiko

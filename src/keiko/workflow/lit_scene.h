@@ -1,6 +1,5 @@
 #pragma once
 
-#include "keiko/inspect/basics/placed_face.h"
 #include "keiko/light/rig/prepared_rig.h"
 #include "keiko/render/caustics/caustics.h"
 #include "keiko/render/shading/glass_loss.h"
@@ -15,10 +14,9 @@
 
 namespace keiko {
 
-/// The hit nearest to a point on the line through it along a normal, up to `reach` mm away: of one
-/// face `only`, or of any.
+/// The hit nearest to a point on the line through it along a normal, up to `reach` mm away.
 std::optional<Hit> nearest_along(const Tracer& surfaces, const Vec3& point, const Vec3& normal,
-                                 double reach, std::optional<PlacedFace> only = {});
+                                 double reach);
 
 /// A scene under a rig, prepared once for its light at many points, as numbers.
 class LitScene {
@@ -32,8 +30,8 @@ public:
     /// Direct illuminance in lx by each source, in the order of the rig, of a point with a unit
     /// normal, caustics included. A point within 1e-3 mm of a surface counts as on it.
     std::vector<Rgb> direct(const Vec3& point, const Vec3& normal) const;
-    /// Illuminance in lx of such a point by surfaces, from the scene's solution; 0 without one. A
-    /// point of glass, which has no elements, sees them as one in the air does.
+    /// Illuminance in lx of such a point by surfaces, gathered from the scene's solution; 0 without
+    /// one.
     Rgb reflected(const Vec3& point, const Vec3& normal) const;
 
 private:

@@ -10,6 +10,7 @@
 #include "keiko/files/toml/toml_text.h"
 #include "keiko/maps/scene_maps.h"
 #include "keiko/math/quadrature.h"
+#include "keiko/radiosity/lamp_levels.h"
 #include "keiko/radiosity/reflected_light.h"
 #include "keiko/radiosity/solution_file.h"
 #include "keiko/radiosity/solve_elements.h"
@@ -57,13 +58,6 @@ bool has_reflectance_map(const Material& material) {
     });
 }
 
-std::vector<bool> glass_faces(const Scene& scene) {
-    std::vector<bool> glass;
-    for (const Material& material : scene.seen_materials())
-        glass.push_back(material.glass.has_value());
-    return glass;
-}
-
 const LightRig& rig_of(const Scene& scene) {
     if (!scene.rig || scene.rig->sources.empty())
         throw Error(source_of(scene), "", "has no lamps, whose light could be reflected");
@@ -84,18 +78,18 @@ void add_table(const IntensityTable& table, std::vector<double>& numbers) {
             numbers.push_back(table.value(h, v));
 }
 
-/// All numbers that the light of a scene depends on, beside those of its lamps in the rig.
+/// All numbers that the light of a scene depends on, beside its rig and the levels of lamps.
 std::vector<double> lighting_numbers(const Scene& scene) {
     std::vector<double> numbers;
     const auto add = [&](const Rgb& c) { numbers.insert(numbers.end(), {c.r, c.g, c.b}); };
     for (const Rgb& reflectance : reflectances_of(scene)) add(reflectance);
     for (const Material& material : scene.seen_materials()) {
-        add(material.emits);
         const Glass glass = material.glass.value_or(Glass{});
         add(glass.absorption);
-        numbers.insert(numbers.end(),
-                       {material.glass ? 1.0 : 0.0, glass.pane, material.refractive_index,
-                        material.emits_both_ways ? 1.0 : 0.0});
+        numbers.insert(
+            numbers.end(),
+            {material.glass ? 1.0 : 0.0, glass.pane, material.refractive_index,
+             material.emits != Rgb(0) ? 1.0 : 0.0, material.emits_both_ways ? 1.0 : 0.0});
     }
     if (const auto& caustics = scene.caustics)
         numbers.insert(numbers.end(),
@@ -106,50 +100,44 @@ std::vector<double> lighting_numbers(const Scene& scene) {
     return numbers;
 }
 
+/// Hash of lamps without their levels, and of reflectances.
 std::string lighting_hash(const Scene& scene) {
-    std::string text = rig_text(rig_of(scene));
+    std::string text = rig_text(at_unit_levels(rig_of(scene)));
     for (const double number : lighting_numbers(scene)) text += toml_value(number) + ' ';
     return sha256_hex(text);
 }
 
-/// Direct light of both faces of an element at its centre, on its own exact surface: beside a thin
-/// sheet the other skin may be nearer.
-std::array<Rgb, 2> direct_light(const LitScene& lit, const Tracer& surfaces,
-                                const ElementMesh& elements, std::uint32_t triangle) {
-    Vec3 place = elements.middle(triangle), normal = elements.normal(triangle).normalized();
-    constexpr double rounding = 1e-3; // mm
-    const double reach = elements.mesh.deviation + rounding;
-    const PlacedFace own{elements.instances[triangle], elements.mesh.faces[triangle]};
-    if (const auto hit = nearest_along(surfaces, place, normal, reach, own)) {
-        place = hit->position;
-        normal = hit->normal.dot(normal) < 0 ? -hit->normal : hit->normal;
-    }
-    std::array<Rgb, 2> light{};
-    if (lit.source_around(place)) return light;
-    for (const std::size_t side : {0, 1})
-        for (const Rgb& lux : lit.direct(place, side == 0 ? normal : -normal)) light[side] += lux;
-    return light;
+/// True for faces that light passes: glass and lamps.
+std::vector<bool> faces_without_elements(const Scene& scene) {
+    return shadowless_faces(scene.seen_materials());
+}
+
+/// Tracer of what has elements.
+Tracer reflecting(const Scene& scene) {
+    return scene.seen().without(faces_without_elements(scene));
 }
 
 } // namespace
 
 RadiositySolution solve_radiosity(const Scene& scene, const Job& job) {
     if (!scene.occluders) throw FieldError("shadows", "are needed for light that is reflected");
-    const LightRig& rig = rig_of(scene);
+    const LightRig unit = at_unit_levels(rig_of(scene));
+    const std::vector<Rgb> levels = levels_of(rig_of(scene));
     const RadiositySpec spec = scene.radiosity.value_or(RadiositySpec());
     const std::vector<Rgb> reflectances = reflectances_of(scene);
     require_losses(scene, reflectances);
     const SurfaceModel seen = visible_model(scene, scene.model);
-    const LitScene lit(scene, rig, TubeModel::picture, job);
-    ElementSubdivision elements(seen, spec.deviation, glass_faces(scene), job);
-    const auto direct = light_elements(
-        elements, spec, scene.tracer.bounds(),
-        [&](const ElementMesh& mesh, std::uint32_t triangle) {
-            return direct_light(lit, scene.seen(), mesh, triangle);
-        },
-        job);
-    RadiositySolution solution =
-        solve_elements(elements.elements(), direct, reflectances, spec, job);
+    const LitScene lit(scene, unit, TubeModel::picture, job);
+    ElementSubdivision triangles(seen, spec.deviation, faces_without_elements(scene), job);
+    const auto direct_light = [&](const LightPoint& point) {
+        return lit.source_around(point.position) ? std::vector<Rgb>(levels.size())
+                                                 : lit.direct(point.position, point.normal);
+    };
+    const DirectLights direct =
+        divide_and_light(triangles, seen, spec, scene.tracer.bounds(), levels, direct_light, job);
+    const Tracer tracer = reflecting(scene);
+    RadiositySolution solution = solve_elements({seen, tracer, reflectances}, triangles.elements(),
+                                                direct, levels, spec, job);
     solution.geometry = geometry_hash(scene);
     solution.lighting = lighting_hash(scene);
     return solution;
@@ -176,14 +164,31 @@ void write_solution(const std::filesystem::path& path, const RadiositySolution& 
     write_text_file(path, solution_text(solution));
 }
 
+namespace {
+
+/// Throws Error for a solution that was changed by hand, with places that are not in its scene.
+void require_places(const RadiositySolution& solution, const SurfaceModel& model,
+                    const std::string& source) {
+    for (const SolvedTriangle& triangle : solution.triangles)
+        if (triangle.face >= model.faces.size() || triangle.instance >= model.instances.size())
+            throw Error(source, "triangles", "are of a face that is not in the scene");
+}
+
+} // namespace
+
 void take_solution(Scene& scene, const std::filesystem::path& path) {
-    RadiositySolution solution = parse_solution(read_text_file(path), path.string());
+    const RadiositySolution solution = parse_solution(read_text_file(path), path.string());
     if (solution.geometry != geometry_hash(scene))
         throw Error(path.string(), "geometry", "is of other geometry than " + source_of(scene));
     if (solution.lighting != lighting_hash(scene))
         throw Error(path.string(), "lighting",
-                    "is of other lamps or reflectances than " + source_of(scene));
-    scene.reflected = std::make_shared<const ReflectedLight>(std::move(solution));
+                    "is of other lamps, beside their levels, or other reflectances than " +
+                        source_of(scene));
+    SurfaceModel seen = visible_model(scene, scene.model);
+    require_places(solution, seen, path.string());
+    scene.reflected = std::make_shared<const ReflectedLight>(solution, levels_of(*scene.rig),
+                                                             reflectances_of(scene),
+                                                             std::move(seen), reflecting(scene));
 }
 
 } // namespace keiko

@@ -30,7 +30,7 @@ Diagnostics radiosity_remarks(const Scene& scene);
 void write_solution(const std::filesystem::path& path, const RadiositySolution& solution);
 
 /// Gives a scene the reflected light of a solution. Throws Error for a file that is no solution,
-/// and for one of other geometry, or of other lamps or reflectances.
+/// and for one of other geometry, other reflectances, or lamps that differ in more than levels.
 void take_solution(Scene& scene, const std::filesystem::path& path);
 
 } // namespace keiko

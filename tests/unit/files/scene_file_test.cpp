@@ -127,11 +127,11 @@ TEST_F(SceneFile, MayLimitReflections) {
     EXPECT_FALSE(read.radiosity);
     const RadiositySpec fine{.element = 300,
                              .smallest = 30,
-                             .contrast = 0.25,
+                             .contrast = 0.1,
                              .deviation = 5,
-                             .cells = 128,
-                             .error = 0.01};
-    EXPECT_EQ(scene(model + "[radiosity]\nelement = 300\nsmallest = 30\ncells = 128\n").radiosity,
+                             .rays = 128,
+                             .error = 0.001};
+    EXPECT_EQ(scene(model + "[radiosity]\nelement = 300\nsmallest = 30\nrays = 128\n").radiosity,
               fine);
     const CausticSpec wanted{.detail = 99, .interfaces = 4, .min_weight = 0.05};
     EXPECT_EQ(scene(model + "[caustics]\ndetail = 99\n").caustics, wanted);
@@ -168,7 +168,8 @@ TEST_F(SceneFile, ErrorsNameTheirPlace) {
               "4:39: model[0].override[0].layer: is not supported yet");
     EXPECT_EQ(error(model + "[ground]\nheight = 0\n").substr(0, 34),
               "5:1: unknown key 'ground.height'");
-    EXPECT_EQ(error(model + "[radiosity]\ncells = 33\n"), "5:9: radiosity.cells: must be even");
+    EXPECT_EQ(error(model + "[radiosity]\nrays = 33\n"),
+              "5:8: radiosity.rays: must be at least 64 and at most 65536, is 33");
     EXPECT_EQ(error(model + "[radiosity]\nerror = 0\n"),
               "5:9: radiosity.error: must be at least 1e-06 and at most 0.5, is 0");
     EXPECT_EQ(error(model + "[caustics]\ndetail = 4\n"),

@@ -9,14 +9,18 @@ namespace keiko {
 namespace {
 
 /// The plate of a stage as two elements under light that rises along x on its front.
-ReflectedLight sloping_light() {
+ReflectedLight sloping_light(const test::Stage& stage) {
     RadiositySolution solution;
-    solution.corners = {{-1000, -1000, 0}, {1000, -1000, 0}, {1000, 1000, 0}, {-1000, 1000, 0}};
-    solution.triangles = {{0, 1, 2}, {0, 2, 3}};
-    const ElementLight back{Rgb(1e6), Rgb(1e6)};
-    solution.light = {{ElementLight{Rgb(400, 200, 100), Rgb()}, back},
-                      {ElementLight{Rgb(200, 100, 50), Rgb()}, back}};
-    return ReflectedLight(solution);
+    solution.corners = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    solution.triangles = {{{0, 1, 2}, 0, 0, 0}, {{0, 2, 3}, 1, 0, 0}};
+    solution.elements = 2;
+    LampSolution lamp;
+    for (const Vec2& corner : solution.corners)
+        lamp.arriving.push_back({Rgb(400, 200, 100) * (0.5 + corner.x / 2), Rgb(1e6)});
+    lamp.exitance.resize(2);
+    solution.lamps = {lamp};
+    const std::vector<Rgb> level{Rgb(1)}, reflectances{stage.materials[0].diffuse};
+    return ReflectedLight(solution, level, reflectances, stage.model, stage.tracer);
 }
 
 // Lambert's rho E / pi, of the solution's light and not of the ambient.
@@ -24,7 +28,7 @@ TEST(ReflectedLightPicture, HasLambertsLuminanceOfTheSolutionInThePlaceOfAmbient
     test::Stage stage(test::flat_plate(), 1);
     stage.rig.sources.clear();
     stage.rig.ambient = Rgb(12345);
-    const ReflectedLight light = sloping_light();
+    const ReflectedLight light = sloping_light(stage);
     PictureScene scene{stage.tracer, stage.materials, stage.rig, Rgb(7)};
     scene.reflected = &light;
     const Film film = render(scene, stage.camera, {});
@@ -34,7 +38,7 @@ TEST(ReflectedLightPicture, HasLambertsLuminanceOfTheSolutionInThePlaceOfAmbient
         const int y = 27;
         const auto hit = stage.tracer.nearest(camera.ray(x + 0.5, y + 0.5));
         ASSERT_TRUE(hit);
-        const Rgb lx = light.on_surface(hit->position, Vec3(0, 0, 1)).value();
+        const Rgb lx = light.on_surface(hit->root, Vec3(0, 0, 1)).value();
         const Rgb expected = stage.materials[0].diffuse * lx / std::numbers::pi;
         const float* shown = film.color.pixel(x, y);
         EXPECT_NEAR(shown[0], expected.r, 1e-4 * expected.r);

@@ -170,8 +170,7 @@ RadiositySpec radiosity_from(const TomlTable& table) {
     spec.smallest = table.number("smallest", TomlLimits::length()).value_or(spec.smallest);
     spec.contrast = table.number("contrast", {.low = 0.001, .high = 1}).value_or(spec.contrast);
     spec.deviation = table.number("deviation", TomlLimits::length()).value_or(spec.deviation);
-    spec.cells = table.integer("cells", 8, 1024).value_or(spec.cells);
-    if (spec.cells % 2 != 0) throw table.error("cells", "must be even");
+    spec.rays = table.integer("rays", 64, 65536).value_or(spec.rays);
     spec.error = table.number("error", {.low = 1e-6, .high = 0.5}).value_or(spec.error);
     table.finish();
     return spec;

@@ -411,13 +411,20 @@ void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
                            PixelSample& sample) const {
     const DirectLight all = light + point.known;
     sample.luminance += point.weight * luminance(point, all);
-    if (point.branch == 0) sample.illuminance = all.incident;
+    if (point.branch != 0) return;
+    sample.illuminance = all.incident;
+    if (tells_illuminance_ && scene_.reflected)
+        sample.illuminance += keiko::luminance(ambient_illuminance(point));
 }
 
 Rgb Integrator::ambient_illuminance(const ShadingPoint& point) const {
-    const SurfacePlace& place = point.place;
-    return scene_.reflected ? scene_.reflected->arriving(place.position, place.normal)
-                            : scene_.rig.ambient;
+    if (!scene_.reflected) return scene_.rig.ambient;
+    const Vec3& normal = point.place.normal;
+    const LightPoint place{point.place.position, normal, point.root};
+    if (options_.gather_rays > 0) return scene_.reflected->gathered(place, options_.gather_rays);
+    constexpr int rays_without_elements = 256;
+    const auto light = scene_.reflected->on_surface(point.root, normal);
+    return light ? *light : scene_.reflected->gathered(place, rays_without_elements);
 }
 
 Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {

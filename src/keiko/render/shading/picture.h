@@ -59,6 +59,9 @@ struct PictureOptions {
     /// Model of tubes that light bases past occluders: picture; automatic, as for numbers; or
     /// preview, whose shadows disregard the width of lamps.
     TubeModel tubes = TubeModel::picture;
+    /// Rays that gather the light of surfaces at each pixel; 0 interpolates it between the corners
+    /// of elements.
+    int gather_rays = 0;
 };
 
 /// Renders luminance in cd/m2 with the requested AOVs: one ray a pixel, whose footprint on the
