@@ -77,6 +77,7 @@ SCENES = {
     "turning-dots-1": ("turning-dots-scene", (*SHADED, "--frames", "1:1"), (480, 270)),
     "turning-dots-2": ("turning-dots-scene", (*SHADED, "--frames", "2:2"), (480, 270)),
     "turning-dots-3": ("turning-dots-scene", (*SHADED, "--frames", "3:3"), (480, 270)),
+    "white-tunnel": ("white-tunnel-scene", SHADED, (960, 540)),
     "windscreen": ("windscreen-scene", ("--look", "distortion"), (960, 540)),
     "workshop": ("workshop-scene", SHADED, (800, 500)),
     "workshop-lux": (
@@ -85,7 +86,7 @@ SCENES = {
         (800, 500)),
 }
 # Those with the reflected light of `keiko radiosity`.
-SOLVED = {"room"}
+SOLVED = {"room", "white-tunnel"}
 
 
 def keiko(program, *arguments):
