@@ -16,8 +16,8 @@ double unobstructed_illuminance(const SkyLight& sky, const Vec3& normal);
 Rgb illuminance_from(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                      const Vec3& normal);
 
-/// About the share of a panel in the light that an open sky and its ground bring past no body: by
-/// solid angles, both sky and ground being even and as bright as at their best; a quarter where
+/// About the share of a panel in the light that an open sky and its ground bring past no body, both
+/// being taken as even: by solid angles. A quarter of a clear sky, which is far from even, where
 /// there are windows, and where there is no light at all.
 double panel_share(const SkyLight& sky, const SkyPanel& panel, const Vec3& point,
                    const Vec3& normal);

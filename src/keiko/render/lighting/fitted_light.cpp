@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -29,6 +30,18 @@ constexpr double least_own_share = 0.1;
 /// Light of an open sky past no body of which its visible light may be off, as a multiple of the
 /// error.
 constexpr double of_open_sky = 3;
+/// Pixels a side of squares each of which has a place beside other surfaces that tests a fit.
+constexpr int check_spacing = 8;
+
+Rgb not_negative(const Rgb& value) {
+    return {std::max(value.r, 0.0), std::max(value.g, 0.0), std::max(value.b, 0.0)};
+}
+
+/// A fit may undershoot where there is hardly any light.
+DirectLight not_negative(const DirectLight& light) {
+    return {not_negative(light.illuminance), not_negative(light.lobes),
+            std::max(light.incident, 0.0)};
+}
 
 class FittedLight {
 public:
@@ -44,23 +57,26 @@ public:
 
     std::vector<DirectLight> light() {
         const auto alike = [&](std::size_t i, std::size_t j) { return are_alike(i, j); };
-        for (const Places& region : regions_of(places_, alike)) light(region);
+        const std::vector<Places> regions = regions_of(places_, alike);
+        if (outdoors_) beside_others_ = beside_others(places_, regions);
+        for (const Places& region : regions) light(region);
         return std::move(light_);
     }
 
 private:
-    /// Whether the light depends on position and normal alone. Lobes of lamps depend on the eye.
-    bool depends_on_place(std::size_t place) const {
+    /// Whether the light of a region is fitted by normal too. Lobes of lamps follow the normal too
+    /// closely for that, and depend on the eye; those of a sky are as even as it is.
+    bool fits_tilt(std::size_t place) const {
         return outdoors_ || !integrator_.has_lobes(*places_[place].point);
     }
     /// Without shadows, light on a base is alike on several surfaces.
     bool are_alike(std::size_t i, std::size_t j) const {
         const SurfacePlace &a = places_[i].point->place, &b = places_[j].point->place;
-        if (outdoors_ || !depends_on_place(i)) return is_same_surface(a, b);
+        if (outdoors_ || !fits_tilt(i)) return is_same_surface(a, b);
         return a.paint == b.paint && a.normal.dot(b.normal) > least_alike;
     }
     void light(const Places& region) {
-        const bool tilted = depends_on_place(region[0]);
+        const bool tilted = fits_tilt(region[0]);
         const std::size_t count = tilted ? node_count : lobe_node_count;
         if (!(error_ > 0) || region.size() <= count || is_uneven(*places_[region[0]].point))
             return light_each(region);
@@ -96,8 +112,26 @@ private:
         const auto fitted = fit.to(std::span<const DirectLight>(lights));
         for (std::size_t i = 0; i < nodes.size(); ++i)
             if (!agrees(lights[i], budgets[i], fitted, fit, monomials(nodes[i]))) return false;
+        if (!holds_beside_others(region, chart, fitted)) return false;
         return fill(region, chart, fit, fitted, fit.to(std::span<const Vec3>(normals)),
                     most_bend * least_share(budgets));
+    }
+    /// True if a fit below a sky predicts the light beside other surfaces, which may throw shadows
+    /// too short for the nodes: at one place in each square of some pixels.
+    bool holds_beside_others(const Places& region, const Chart& chart,
+                             const Quadratic<DirectLight>& fitted) {
+        if (!outdoors_) return true;
+        std::set<std::pair<int, int>> squares;
+        for (std::size_t i = 0; i < region.size(); ++i) {
+            const std::size_t place = region[i];
+            const Pixel& at = places_[place].pixel;
+            if (!beside_others_[place]) continue;
+            if (!squares.insert({at.x / check_spacing, at.y / check_spacing}).second) continue;
+            light(place);
+            if (budget_at(place).used_by(light_[place] - fitted.at(monomials(chart[i]))) > 1)
+                return false;
+        }
+        return true;
     }
     std::vector<bool> lit_in(const Places& region) const {
         std::vector<bool> lit;
@@ -130,7 +164,7 @@ private:
             const Monomials powers = monomials(chart[i]);
             const double bend = (fitted_normal.at(powers) - normal(region[i])).length();
             if (fit.leverage(powers) <= most_leverage && bend <= most)
-                light_[region[i]] = fitted.at(powers), fits_any = true;
+                light_[region[i]] = not_negative(fitted.at(powers)), fits_any = true;
             else
                 off.push_back(region[i]);
         }
@@ -154,7 +188,8 @@ private:
     std::span<const LitPlace> places_;
     double error_;
     std::vector<DirectLight> light_;
-    std::vector<bool> is_lit_; ///< whether it is computed
+    std::vector<bool> beside_others_; ///< below a sky
+    std::vector<bool> is_lit_;        ///< whether it is computed
 };
 
 } // namespace

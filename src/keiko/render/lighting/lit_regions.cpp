@@ -88,6 +88,26 @@ std::vector<Places> regions_of(std::span<const LitPlace> places,
     return of_root;
 }
 
+std::vector<bool> beside_others(std::span<const LitPlace> places, std::span<const Places> regions) {
+    std::vector<std::size_t> region_of(places.size());
+    for (std::size_t r = 0; r < regions.size(); ++r)
+        for (const std::size_t i : regions[r]) region_of[i] = r;
+    std::vector<bool> beside(places.size());
+    const auto look = [&](const Places& from, const Places& at) {
+        for (const std::size_t i : from) {
+            const auto is_own = [&](std::size_t j) { return region_of[j] == region_of[i]; };
+            const bool others = &from == &at ? !std::all_of(at.begin(), at.end(), is_own)
+                                             : std::none_of(at.begin(), at.end(), is_own);
+            if (others && !at.empty()) beside[i] = true;
+        }
+    };
+    PlacesByPixel(places).each_pair([&](const Places& a, const Places& b) {
+        look(a, b);
+        look(b, a);
+    });
+    return beside;
+}
+
 Chart chart_of(std::span<const LitPlace> places, const Places& region, bool tilted) {
     const Vec3 mean = mean_normal(places, region);
     const Vec3 beside = std::abs(mean.x) < 0.6 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);

@@ -28,6 +28,10 @@ using Chart = std::vector<ChartPlace>;
 std::vector<Places> regions_of(std::span<const LitPlace> places,
                                const std::function<bool(std::size_t, std::size_t)>& alike);
 
+/// For each place, whether a pixel beside it shows other regions alone, or its own shows others
+/// too. Things may stand there on its region.
+std::vector<bool> beside_others(std::span<const LitPlace> places, std::span<const Places> regions);
+
 /// A region's places before the plane across the mean of their normals, positions from -1 to 1. No
 /// place is tilted unless `tilted`.
 Chart chart_of(std::span<const LitPlace> places, const Places& region, bool tilted);

@@ -10,7 +10,7 @@
 
 namespace keiko {
 
-/// Place of a surface before a plane, which light without shadows depends on alone.
+/// Place of a surface before a plane, which fitted light depends on.
 struct ChartPlace {
     Vec2 at{0};        ///< position on the plane
     double height = 0; ///< over the plane, in the unit of `at`

@@ -47,7 +47,7 @@ public:
 
     /// False if all of the hull of `places` is proved to have one visibility of a light: all of it
     /// or nothing; see Occluders::may_occlude(). Windows are not tested. False, too, for an open
-    /// sky: what is too narrow to be met from any of several places hides little of a quarter.
+    /// sky, whose light is fitted.
     bool may_occlude(std::span<const Vec3> places, const LightId& light,
                      const std::optional<Vec3>& facing, TubeModel model) const;
 
