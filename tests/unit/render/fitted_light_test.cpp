@@ -295,7 +295,8 @@ TEST(FittedLight, OfTheSkyIsOffByAShareOfItsWholeLight) {
     double squares = 0;
     for (std::size_t i = 0; i < exact.values.size(); ++i) {
         if (exact.values[i] == 0) continue;
-        const double wrong = std::abs(fast.values[i] - exact.values[i]) / whole;
+        const double wrong =
+            static_cast<double>(std::abs(fast.values[i] - exact.values[i])) / whole;
         ++lit, squares += wrong * wrong;
         dark += exact.values[i] < 0.7F * static_cast<float>(whole) ? 1 : 0;
         fitted += wrong != 0 ? 1 : 0, off += wrong > 0.01 ? 1 : 0;
@@ -312,7 +313,8 @@ TEST(FittedLight, OfTheSkyIsOffByAShareOfItsWholeLight) {
 TEST(FittedLight, OfTheSkyAddsUpWithLamps) {
     Stage both = under_the_sky();
     const LightSource sky = both.rig.sources[0];
-    const PointSource lamp{{-500, -300, 900}, Rgb(3e8)};
+    PointSource lamp;
+    lamp.position = {-500, -300, 900}, lamp.intensity = Rgb(600);
     both.rig.sources = {lamp, sky};
     Stage first = both, second = both;
     first.rig.sources = {lamp}, second.rig.sources = {sky};
@@ -322,8 +324,8 @@ TEST(FittedLight, OfTheSkyAddsUpWithLamps) {
                    b = with_shadows(second, options);
         for (std::size_t i = 0; i < sum.color.values.size(); ++i) {
             if (sum.alpha.values[i / 3] < 1) continue; // beside which the sky is seen
-            const double parts = a.color.values[i] + b.color.values[i];
-            EXPECT_NEAR(sum.color.values[i], parts, (error > 0 ? 0.02 : 1e-5) * parts) << i;
+            const float parts = a.color.values[i] + b.color.values[i];
+            EXPECT_NEAR(sum.color.values[i], parts, (error > 0 ? 0.02F : 1e-5F) * parts) << i;
         }
     }
 }
@@ -350,7 +352,7 @@ TEST(FittedLight, OfTheSkyIsDarkBesideSmallThings) {
     for (std::size_t i = 0; i < exact.values.size(); ++i) {
         if (exact.values[i] == 0) continue;
         dark += exact.values[i] < 290 ? 1 : 0;
-        EXPECT_NEAR(fast.values[i], exact.values[i], 0.05 * 314.16) << i % 192 << ' ' << i / 192;
+        EXPECT_NEAR(fast.values[i], exact.values[i], 0.05F * 314.16F) << i % 192 << ' ' << i / 192;
     }
     EXPECT_GT(dark, 100);
 }
