@@ -59,6 +59,21 @@ TEST(ContourArc, PlanesCrossAClosedOutlineEvenly) {
     }
 }
 
+/// Zero counts as above, so that an arc that leaves a plane to its upper side enters it later.
+TEST(ContourArc, ArcThatBeginsInAPlaneCrossesItWhereItsSideChanges) {
+    for (const auto& [middle, end, at] :
+         {std::array{1.0, -1.0, 2.0 / 3}, {0.5, -3.0, 0.25}, {-1.0, -1.0, 0.0}, {0.0, -1.0, 0.0}}) {
+        const ContourArc arc{{0, 0, 1}, {middle, 1, 1}, {end, 2, 1}};
+        const ContourArc::Crossings crossed = arc.crossings({1, 0, 0});
+        ASSERT_EQ(crossed.count, 1U) << middle;
+        EXPECT_NEAR(crossed.of[0].t, at, 1e-15) << middle;
+        EXPECT_FALSE(crossed.of[0].rises);
+    }
+    const ContourArc back{{-1, 0, 1}, {1, 1, 1}, {0, 2, 1}};
+    ASSERT_EQ(back.crossings({1, 0, 0}).count, 1U);
+    EXPECT_NEAR(back.crossings({1, 0, 0}).of[0].t, 1.0 / 3, 1e-15);
+}
+
 TEST(ContourArc, PartsAreTheArc) {
     const ContourArc arc = circle(3)[0], part = arc.part(0.3, 0.8);
     for (const double t : {0.0, 0.4, 1.0})

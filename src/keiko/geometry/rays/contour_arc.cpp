@@ -1,5 +1,6 @@
 #include "keiko/geometry/rays/contour_arc.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -7,24 +8,30 @@
 namespace keiko {
 namespace {
 
-/// Roots in [0, 1) of a quadratic polynomial by its Bernstein coefficients. Signs at the ends
-/// decide how many there are, zero counting as above.
+/// Both zeros of a quadratic polynomial with real ones, by its Bernstein coefficients.
+std::array<double, 2> quadratic_zeros(double a, double b, double c) {
+    // a (1 - t)^2 + 2 b t (1 - t) + c t^2 = (a - 2 b + c) t^2 - 2 (a - b) t + a
+    const double square = a - 2 * b + c, half = a - b;
+    const double off = std::sqrt(std::max(b * b - a * c, 0.0));
+    // The sum without cancellation, and the other root by the product.
+    const double sum = half + std::copysign(off, half);
+    if (!(std::abs(sum) > 0)) return {0, 0};
+    const bool is_linear = !(std::abs(square) > 0);
+    return {is_linear ? std::numeric_limits<double>::infinity() : sum / square, a / sum};
+}
+
+/// Places in [0, 1] where a quadratic polynomial changes its sign, by its Bernstein coefficients;
+/// zero counts as above. Signs at the ends decide how many there are.
 ContourArc::Crossings quadratic_roots(double a, double b, double c) {
     ContourArc::Crossings roots;
     const bool from_above = a >= 0, to_above = c >= 0;
-    if (from_above == to_above && (b >= 0) == from_above) return roots;
-    // a (1 - t)^2 + 2 b t (1 - t) + c t^2 = (a - 2 b + c) t^2 - 2 (a - b) t + a
-    const double square = a - 2 * b + c, half = a - b, inside = b * b - a * c;
-    if (from_above == to_above && !(inside > 0)) return roots;
-    const double off = std::sqrt(std::max(inside, 0.0));
-    // The sum without cancellation, and the other root by the product.
-    const double sum = half + std::copysign(off, half);
-    double first = sum / square, second = a / sum;
-    if (!(std::abs(square) > 0)) first = std::numeric_limits<double>::infinity();
-    if (!(std::abs(sum) > 0)) first = second = 0;
+    if (from_above == to_above && ((b >= 0) == from_above || !(b * b > a * c))) return roots;
+    auto [first, second] = quadratic_zeros(a, b, c);
     const auto within = [](double t) { return t >= 0 && t <= 1; };
     if (from_above != to_above) {
-        const double t = within(second) ? second : first;
+        // A zero at the begin is above: if the polynomial rises there it changes at the other one.
+        const bool rises_from_zero = from_above && !(a > 0) && b > 0;
+        const double t = !rises_from_zero && within(second) ? second : first;
         roots.of[roots.count++] = {std::fmin(std::fmax(t, 0.0), 1.0), to_above};
         return roots;
     }

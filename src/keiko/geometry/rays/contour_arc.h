@@ -22,10 +22,10 @@ struct SheetCount {
     bool operator==(const SheetCount&) const = default;
 };
 
-/// A real root in [0, 1) of a quadratic polynomial.
+/// A place in [0, 1] where a quadratic polynomial changes its sign; zero counts as above.
 struct ArcRoot {
     double t = 0;
-    bool rises = true; ///< the polynomial does, there
+    bool rises = true; ///< to zero or above
 };
 
 /// A piece of the outline of a surface as a point sees it, as a conic section of directions. It is
@@ -59,7 +59,7 @@ struct ContourArc {
     std::optional<double> nearest(const Vec3& direction) const;
     /// Angle, rad, between a direction beside the arc and the arc; infinite beyond its ends.
     double angle_off(const Vec3& direction) const;
-    /// Parameters in (0, 1) where the arc's angle about an axis, from `ahead` to `across`, is
+    /// Parameters in [0, 1] where the arc's angle about an axis, from `ahead` to `across`, is
     /// extreme.
     Crossings extremes(const Vec3& ahead, const Vec3& across) const;
 };
