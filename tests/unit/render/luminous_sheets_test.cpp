@@ -1,25 +1,20 @@
 // Luminous sheets by their contour, held against closed forms and rays.
-#include "keiko/geometry/model/outward_side.h"
+#include "tests/unit/render/luminous_sheets.h"
+
 #include "keiko/geometry/model/primitive.h"
 #include "keiko/light/areas/area_irradiance.h"
-#include "keiko/math/axes.h"
-#include "keiko/render/shading/traced_lamp.h"
 
 #include "tests/support/random.h"
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace keiko {
 namespace {
 
 using std::numbers::pi;
-
-ContourLight lamp_of(SurfaceModel model, LampSides sides) {
-    return {std::make_shared<const TracedLamp>(std::move(model), Job{}, sides), Rgb(1)};
-}
+using test::by_rays, test::lamp_of;
 
 /// The lower half of an ellipsoid's patches: an open bowl.
 SurfaceModel bowl() {
@@ -28,26 +23,6 @@ SurfaceModel bowl() {
     std::erase_if(egg.patches, [](const Patch& patch) { return patch.map_u.begin >= 3; });
     egg.faces[0].patch_count = static_cast<std::uint32_t>(egg.patches.size());
     return egg;
-}
-
-/// Projected solid angle by rays in the strata of a hemisphere, cosine-weighted.
-double by_rays(const SurfaceModel& model, bool both, const Vec3& point, const Vec3& normal) {
-    constexpr int side = 400;
-    const Tracer tracer(model);
-    const Vec3 x = any_perpendicular(normal).normalized(), y = normal.cross(x);
-    int lit = 0;
-    for (int i = 0; i < side; ++i)
-        for (int k = 0; k < side; ++k) {
-            const double sine = std::sqrt((i + 0.5) / side), turn = 2 * pi * (k + 0.5) / side;
-            const Ray ray{.origin = point,
-                          .direction = (x * std::cos(turn) + y * std::sin(turn)) * sine +
-                                       normal * std::sqrt(1 - sine * sine)};
-            const auto hit = tracer.nearest(ray);
-            lit += hit && (both || hit->normal.dot(ray.direction) *
-                                           outward_side(model, hit->instance, hit->patch, hit->uv) <
-                                       0);
-        }
-    return pi * lit / (side * side);
 }
 
 /// The inner side of a pipe is dark, and hides nothing of its outer side.
@@ -87,17 +62,8 @@ TEST(LuminousSheets, BowlsShineToTheirSidesAsRaysFind) {
     for (const bool reversed : {false, true}) {
         SurfaceModel model = bowl();
         model.faces[0].reversed = reversed;
-        const ContourLight outer = lamp_of(model, LampSides::outer_side);
-        const ContourLight both = lamp_of(model, LampSides::both_sides);
-        for (const Vec3& point : points)
-            for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(-0.36, 0.48, -0.8)}) {
-                EXPECT_NEAR(projected_solid_angle(outer, point, normal),
-                            by_rays(model, false, point, normal), 4e-3)
-                    << reversed << point << normal;
-                EXPECT_NEAR(projected_solid_angle(both, point, normal),
-                            by_rays(model, true, point, normal), 4e-3)
-                    << reversed << point << normal;
-            }
+        SCOPED_TRACE(reversed);
+        test::expect_light_of_rays(model, points);
     }
 }
 

@@ -78,6 +78,35 @@ double zero_between(const F& f, double low, double high, double f_low, double f_
     return (low + high) / 2;
 }
 
+/// Zero between two places near a first guess. `slope`: nearly that of the function there, so that
+/// each step gains some digits. The guess where there is none, as beside a corner without a normal.
+template <class F>
+double polished(const F& f, double slope, double x, double low, double high) {
+    constexpr double enough = 1e-13;
+    constexpr int most_steps = 5;
+    for (int i = 0; i < most_steps; ++i) {
+        const double before = x, more = f(x) / slope;
+        if (!std::isfinite(more)) break;
+        x = std::clamp(x - more, low, high);
+        if (std::abs(x - before) <= enough) break;
+    }
+    return x;
+}
+
+/// Tangent plane with a unit normal at a share of a part of a curve. At a corner that has none, a
+/// little inside the part.
+Vec4 unit_plane(const BorderSide& side, const ParameterInterval& part, double share) {
+    constexpr double inside = 1e-3, aside = 0.25, singular = 1e-9; // of the part, the next normal
+    const auto plane_at = [&](double s) { return side.plane(part.begin + part.length() * s); };
+    const double inwards = share < 0.5 ? 1 : -1;
+    const Vec4 plane = plane_at(share), next = plane_at(share + aside * inwards);
+    if (spatial(plane).length() > singular * spatial(next).length())
+        return plane / spatial(plane).length();
+    const Vec4 nearby = plane_at(share + inside * inwards);
+    const double length = spatial(nearby).length();
+    return length > 0 ? nearby / length : Vec4(0);
+}
+
 /// Sheets that a face adds on the left of its border.
 SheetCount left_of(const BorderSide& side, bool front) {
     return front ? SheetCount{-side.sense, 0} : SheetCount{0, side.sense};
@@ -106,11 +135,8 @@ ContourBorder::Heights ContourBorder::heights_over(const Planes& planes, const V
 ContourBorder::Planes ContourBorder::planes_along(const BorderSide& side,
                                                   const ParameterInterval& part) const {
     Planes planes;
-    for (std::size_t k = 0; k < nodes; ++k) {
-        const Vec4 plane =
-            side.plane(part.begin + part.length() * static_cast<double>(k) / (nodes - 1));
-        planes[k] = plane / spatial(plane).length();
-    }
+    for (std::size_t k = 0; k < nodes; ++k)
+        planes[k] = unit_plane(side, part, static_cast<double>(k) / (nodes - 1));
     return planes;
 }
 
@@ -159,15 +185,9 @@ std::vector<double> ContourBorder::edge_on(const Piece& piece, const BorderSide&
         if ((heights[k] >= 0) == (heights[k + 1] >= 0)) continue;
         const double low = static_cast<double>(k) / (nodes - 1), high = low + 1.0 / (nodes - 1);
         double share = zero_between(about, low, high, heights[k], heights[k + 1]);
-        // The polynomial's slope is nearly that of the planes: each step gains some digits.
-        constexpr double step = 1e-3, enough = 1e-13;
-        constexpr int most_steps = 5;
+        constexpr double step = 1e-3;
         const double slope = (about(share + step) - about(share - step)) / (2 * step);
-        for (int i = 0; i < most_steps; ++i) {
-            const double before = share;
-            share = std::clamp(share - height(share) / slope, low, high);
-            if (std::abs(share - before) <= enough) break;
-        }
+        share = polished(height, slope, share, low, high);
         shares.push_back(share);
     }
     return shares;
