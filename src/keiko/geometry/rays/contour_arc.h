@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace keiko {
 
@@ -62,6 +63,12 @@ struct ContourArc {
     /// Parameters in [0, 1] where the arc's angle about an axis, from `ahead` to `across`, is
     /// extreme.
     Crossings extremes(const Vec3& ahead, const Vec3& across) const;
+};
+
+/// The outlines of a surface from one point.
+struct ContourArcs {
+    std::vector<ContourArc> all;
+    bool are_complete = true; ///< false if some could not be told apart
 };
 
 /// Arc through three directions, tangent to the planes with these normals at its ends. Where no

@@ -7,7 +7,7 @@
 
 namespace keiko {
 
-LampOutline::LampOutline(const Vec3& point, std::vector<ContourArc> arcs, LampSides shining,
+LampOutline::LampOutline(const Vec3& point, ContourArcs arcs, LampSides shining,
                          SidesAlong sides_along, const Box3& box)
     : point_(point),
       arcs_(std::move(arcs)),
@@ -18,7 +18,7 @@ LampOutline::LampOutline(const Vec3& point, std::vector<ContourArc> arcs, LampSi
 std::vector<LampOutline::Change> LampOutline::changes_along(const Segment& segment) const {
     const Vec3 from = segment.a - point_, to = segment.b - point_, plane = from.cross(to);
     std::vector<Change> changes;
-    for (const ContourArc& arc : arcs_)
+    for (const ContourArc& arc : arcs_.all)
         for (const ArcRoot& root : arc.crossings(plane)) {
             const Vec3 way = arc.at(root.t);
             const double a = way.cross(to).dot(plane), b = from.cross(way).dot(plane);
@@ -58,7 +58,7 @@ IntervalSet LampOutline::intervals(const Segment& segment) const {
     }
     left_over += first;
     for (const Change& change : changes) left_over += change.more;
-    const bool is_sound = left_over == SheetCount{};
+    const bool is_sound = arcs_.are_complete && left_over == SheetCount{};
     return IntervalSet(bright_parts(segment, changes, first, is_sound)).complement();
 }
 
@@ -93,7 +93,7 @@ std::vector<CriticalSlice> LampOutline::turns(const Prism& prism, const TurnRule
     const auto add = [&](const Vec3& way) {
         slices.push_back({.way = square_to(way, along).normalized()});
     };
-    for (const ContourArc& arc : arcs_) {
+    for (const ContourArc& arc : arcs_.all) {
         if (arc.turns_at_begin) add(arc.begin);
         if (arc.turns_at_end) add(arc.end);
         for (const ArcRoot& root : arc.extremes(ahead, across)) add(arc.at(root.t));

@@ -18,15 +18,15 @@ enum class LampSides {
 
 /// Directions in which a point sees a luminous body shine, as what the body hides of lines behind
 /// it. They are known from the arcs of its outlines: sheets are counted along a line from arc to
-/// arc, and rays decide where the count does not. For one thread.
+/// arc, and rays decide where the count does not or the arcs are not complete. For one thread.
 class LampOutline final : public Visibility {
 public:
     /// Sides of the sheets that a ray from the point in a direction passes, the nearest first;
     /// true for outer ones.
     using SidesAlong = std::function<std::vector<bool>(const Vec3& direction)>;
     /// `arcs`: as those of BodyContour::arcs_from; `box`: around the body.
-    LampOutline(const Vec3& point, std::vector<ContourArc> arcs, LampSides shining,
-                SidesAlong sides_along, const Box3& box);
+    LampOutline(const Vec3& point, ContourArcs arcs, LampSides shining, SidesAlong sides_along,
+                const Box3& box);
 
     using Visibility::intervals;
     IntervalSet intervals(const Segment& segment) const override;
@@ -51,7 +51,7 @@ private:
     bool shines_from(const Vec3& place, const SheetCount& sheets) const;
 
     Vec3 point_;
-    std::vector<ContourArc> arcs_;
+    ContourArcs arcs_;
     LampSides shining_;
     SidesAlong sides_along_;
     bool is_far_; ///< the body appears within some 75 degrees of a direction

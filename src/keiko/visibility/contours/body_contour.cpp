@@ -57,7 +57,7 @@ public:
         return plane(instance, patch, uv);
     }
 
-    void append_arcs(const Vec3& point, double allowed, std::vector<ContourArc>& arcs) const {
+    void append_arcs(const Vec3& point, double allowed, ContourArcs& arcs) const {
         for (std::size_t i = 0; i < all_.size(); ++i)
             if (is_material_[i]) all_[i].append_arcs(point, allowed, arcs);
     }
@@ -249,16 +249,16 @@ bool BodyContour::is_known() const {
     return body_->is_known;
 }
 
-std::vector<ContourArc> BodyContour::arcs_from(const Vec3& point, double error) const {
+ContourArcs BodyContour::arcs_from(const Vec3& point, double error) const {
     constexpr double least = 1e-10, aside = 1e-9;
     const double size = body_->box.size();
     const Vec3 eye = point + Vec3(0.267, 0.535, 0.802) * (aside * size);
     const double away = (body_->box.center() - eye).length();
     const double allowed = std::max(least, error / 5 * std::min(1.0, size / (2 * away)));
-    std::vector<ContourArc> arcs;
+    ContourArcs arcs;
     body_->patches.append_arcs(eye, allowed, arcs);
     for (const ContourBorder& border : body_->borders)
-        border.append_arcs(eye - body_->box.center(), arcs);
+        border.append_arcs(eye - body_->box.center(), arcs.all);
     return arcs;
 }
 

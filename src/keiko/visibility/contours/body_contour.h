@@ -5,7 +5,6 @@
 #include "keiko/geometry/rays/contour_arc.h"
 
 #include <memory>
-#include <vector>
 
 namespace keiko {
 
@@ -26,7 +25,7 @@ public:
     /// angle, rad, under which half of the body appears, as far as two places of each silhouette
     /// tell. The point is moved by some 1e-9 of the body's size, so that it lies in no tangent
     /// plane by design.
-    std::vector<ContourArc> arcs_from(const Vec3& point, double error) const;
+    ContourArcs arcs_from(const Vec3& point, double error) const;
 
 private:
     struct Body;

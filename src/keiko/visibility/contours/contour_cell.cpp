@@ -135,9 +135,8 @@ void ContourCell::split(ScalarNet function, const Box2& box, int depth,
     const bool u_rises = by_u.have_one_sign(), v_rises = by_v.have_one_sign();
     const bool first_is_v = v_rises && (!u_rises || by_v.mean > by_u.mean);
     if (u_rises || v_rises || depth == most_halvings) {
-        cells.push_back(
-            ContourCell(first_is_v ? transposed(function) : std::move(function), box, first_is_v));
-        return;
+        ContourCell cell(first_is_v ? transposed(function) : function, box, first_is_v);
+        if (cell.is_sound() || depth == most_halvings) return cells.push_back(std::move(cell));
     }
     const unsigned axis = by_u.high - by_u.low >= by_v.high - by_v.low ? 0 : 1;
     Box2 low = box, high = box;
@@ -147,7 +146,16 @@ void ContourCell::split(ScalarNet function, const Box2& box, int depth,
     split(std::move(above), high, depth + 1, cells);
 }
 
-std::vector<ParameterInterval> ContourCell::parts() const {
+ContourCell::ContourCell(ScalarNet function, const Box2& box, bool swapped)
+    : net_(std::move(function)), box_(box), swapped_(swapped) {
+    const std::vector<double> at = ends();
+    for (std::size_t i = 0; i + 1 < at.size(); i += 2) parts_.push_back({at[i], at[i + 1]});
+    is_sound_ = at.size() % 2 == 0 &&
+                std::all_of(parts_.begin(), parts_.end(),
+                            [&](const ParameterInterval& part) { return has_zero_amid(part); });
+}
+
+std::vector<double> ContourCell::ends() const {
     std::vector<double> ends;
     const std::size_t columns = net_.columns, last = net_.rows - 1;
     // Where the zero enters or leaves by an end of the second parameter.
@@ -158,9 +166,13 @@ std::vector<ParameterInterval> ContourCell::parts() const {
         for (const double zero : zeros(Row::at_end(net_, i))) ends.push_back(zero);
     }
     std::sort(ends.begin(), ends.end());
-    std::vector<ParameterInterval> parts;
-    for (std::size_t i = 0; i + 1 < ends.size(); i += 2) parts.push_back({ends[i], ends[i + 1]});
-    return parts;
+    return ends;
+}
+
+bool ContourCell::has_zero_amid(const ParameterInterval& part) const {
+    constexpr double point = 1e-9; // of the cell: signs over what is shorter are rounding
+    const Row row = Row::across(net_, (part.begin + part.end) / 2);
+    return part.length() <= point || (row.c[0] >= 0) != (row.c[row.count - 1] >= 0);
 }
 
 Vec2 ContourCell::zero(double along) const {

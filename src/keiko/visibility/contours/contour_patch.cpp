@@ -18,7 +18,7 @@ Vec3 spatial(const Vec4& p) {
 class ContourTrace {
 public:
     ContourTrace(const OccluderPatch& patch, double side, const TrimRegion* region,
-                 const Vec3& point, double allowed, std::vector<ContourArc>& arcs)
+                 const Vec3& point, double allowed, ContourArcs& arcs)
         : patch_(patch),
           side_(side),
           region_(region),
@@ -27,6 +27,7 @@ public:
           arcs_(arcs) {}
 
     void add(const ContourCell& cell) {
+        if (!cell.is_sound()) arcs_.are_complete = false;
         for (const ParameterInterval& part : cell.parts())
             for (const ParameterInterval& kept : in_material(cell, part)) {
                 constexpr int most_halvings = 10;
@@ -97,7 +98,7 @@ private:
         const int sheets = left.dot(to_sheets) > 0 ? 1 : -1;
         arc.left = {sheets, sheets};
         arc.turns_at_begin = arc.turns_at_end = false;
-        arcs_.push_back(arc);
+        arcs_.all.push_back(arc);
     }
 
     /// True if the outer side of the surface faces the viewpoint before a silhouette, and not
@@ -116,7 +117,7 @@ private:
     const TrimRegion* region_;
     Vec3 eye_; ///< relative to the patch's center
     double allowed_;
-    std::vector<ContourArc>& arcs_;
+    ContourArcs& arcs_;
 };
 
 } // namespace
@@ -140,8 +141,7 @@ Vec4 ContourPatch::outer_plane(const Vec2& uv, const Vec3& center) const {
     return plane;
 }
 
-void ContourPatch::append_arcs(const Vec3& point, double allowed,
-                               std::vector<ContourArc>& arcs) const {
+void ContourPatch::append_arcs(const Vec3& point, double allowed, ContourArcs& arcs) const {
     const Vec3 eye = point - patch_->center;
     const Vec4 weights = Vec4(eye.x, eye.y, eye.z, 1) * side_;
     if (patch_->flat || bounds_.weighed(weights).vanishes_nowhere()) return;

@@ -27,7 +27,7 @@ public:
     Vec4 outer_plane(const Vec2& uv, const Vec3& center) const;
     /// Silhouettes from a point. Each arc is within `allowed` rad of the exact line of sight, as
     /// far as two places between its ends and its middle tell.
-    void append_arcs(const Vec3& point, double allowed, std::vector<ContourArc>& arcs) const;
+    void append_arcs(const Vec3& point, double allowed, ContourArcs& arcs) const;
 
 private:
     const OccluderPatch* patch_;
