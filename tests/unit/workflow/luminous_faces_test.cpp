@@ -167,7 +167,8 @@ TEST(LuminousFaces, ClosedBodiesAreOneLight) {
     EXPECT_EQ(luminous_faces(primitive_model(can, "can"), two, {}, {}).size(), 2U);
 }
 
-/// No ray from many sides meets them, and yet they close nothing: each is dark from within.
+/// No ray from many sides meets them, and yet they close nothing: each is dark from within, where
+/// neither shines, and bright from outside.
 TEST(LuminousFaces, OpenPartsThatDoNotTouchAreSheets) {
     const auto dome = [](double x) {
         SurfaceModel egg = primitive_model(
@@ -178,10 +179,11 @@ TEST(LuminousFaces, OpenPartsThatDoNotTouchAreSheets) {
     };
     const std::array apart{dome(0), dome(3000)};
     const std::vector<LightSource> lights = lights_of_model(merge(apart));
-    ASSERT_GE(lights.size(), 1U);
-    for (const LightSource& light : lights) {
-        const auto& sheets = std::get<ContourLight>(light);
-        EXPECT_FALSE(sheets.body->contains({0, 0, 490}));
+    ASSERT_EQ(lights.size(), 2U);
+    for (const double x : {0.0, 3000.0}) {
+        const Vec3 away(x > 0 ? 1 : -1, 0, 0); // from the other dome
+        EXPECT_EQ(lit_by(lights, {x, 20, 490}, away), 0) << x;
+        EXPECT_GT(lit_by(lights, {x, 600, 490}, {0, -1, 0}), 0.01) << x;
     }
 }
 
