@@ -9,6 +9,7 @@
 #include "keiko/math/bounds.h"
 #include "keiko/math/disjoint_sets.h"
 #include "keiko/render/shading/traced_lamp.h"
+#include "keiko/workflow/flat_lamps.h"
 #include "keiko/workflow/luminous_panels.h"
 
 #include <algorithm>
@@ -90,49 +91,6 @@ std::vector<std::vector<LampFaces>> touching(const SurfaceModel& body,
     return all;
 }
 
-std::vector<Vec3> control_points(const SurfaceModel& model, const Face& face) {
-    std::vector<Vec3> points;
-    for (std::uint32_t i = face.first_patch; i < face.first_patch + face.patch_count; ++i)
-        for (const Vec4& p : model.patch(i).points) points.push_back(Vec3(p.x, p.y, p.z) / p.w);
-    return points;
-}
-
-/// True if the control points of a face lie in a plane.
-bool is_flat(const SurfaceModel& model, const Face& face) {
-    constexpr double rounding = 1e-9; // of the size
-    const std::vector<Vec3> points = control_points(model, face);
-    Vec3 longest(0), normal(0);
-    for (const Vec3& at : points)
-        if ((at - points[0]).length2() > longest.length2()) longest = at - points[0];
-    for (const Vec3& at : points)
-        if (const Vec3 area = longest.cross(at - points[0]); area.length2() > normal.length2())
-            normal = area;
-    normal.normalize();
-    return std::all_of(points.begin(), points.end(), [&](const Vec3& at) {
-        return std::abs(normal.dot(at - points[0])) <= rounding * longest.length();
-    });
-}
-
-bool is_flat(const SurfaceModel& model) {
-    return std::all_of(model.faces.begin(), model.faces.end(),
-                       [&](const Face& face) { return is_flat(model, face); });
-}
-
-/// True if panels have each other behind them.
-bool is_convex(const std::vector<PolygonLight>& panels) {
-    constexpr double rounding = 1e-9; // of the size
-    Box3 box;
-    for (const PolygonLight& panel : panels)
-        for (const Vec3& corner : panel.corners) box.extend(corner);
-    return std::all_of(panels.begin(), panels.end(), [&](const PolygonLight& panel) {
-        const Vec3 normal = panel.normal();
-        for (const PolygonLight& other : panels)
-            for (const Vec3& corner : other.corners)
-                if (normal.dot(corner - panel.corners[0]) > rounding * box.size()) return false;
-        return true;
-    });
-}
-
 /// mm, the second longest side of a model's box.
 double second_extent(const SurfaceModel& model, const Job& job) {
     const Vec3 extent = material_bounds(model, job).extent();
@@ -182,28 +140,30 @@ private:
     static void append(std::vector<Light> more, std::vector<LightSource>& lights) {
         for (Light& light : more) lights.emplace_back(std::move(light));
     }
+    /// Panels of flat faces that hide nothing of each other, which are exact; nullopt for others.
+    std::optional<std::vector<LightSource>> as_flat_faces(const PlacedModel& placed,
+                                                          const LampFaces& lamp) const {
+        if (!is_flat(placed.model)) return std::nullopt;
+        std::vector<PolygonLight> panels = in_panels(placed, lamp);
+        if (!hide_nothing(panels)) return std::nullopt;
+        std::vector<LightSource> lights;
+        append(std::move(panels), lights);
+        return lights;
+    }
     /// The light of a closed body, or of a convex one in panels; nullopt for any other.
     std::optional<std::vector<LightSource>> as_body(const LampFaces& lamp) const {
         const PlacedModel placed = placed_lamp(body_, lamp);
         if (!borders_close(placed.model, closing_join(placed.model), job_)) return std::nullopt;
-        std::vector<LightSource> lights;
-        if (is_flat(placed.model)) {
-            std::vector<PolygonLight> panels = in_panels(placed, lamp);
-            if (is_convex(panels)) {
-                append(std::move(panels), lights);
-                return lights;
-            }
-        }
+        if (auto panels = as_flat_faces(placed, lamp)) return panels;
         auto light = by_contour(placed.model, lamp);
         if (!light) return std::nullopt;
-        lights.emplace_back(std::move(*light));
-        return lights;
+        return std::vector<LightSource>{std::move(*light)};
     }
-    /// The light of open faces by their contour; nullopt for flat ones, which are exact in panels,
-    /// and for those whose outlines are not known.
+    /// The light of open faces, by their contour unless panels are exact; nullopt for those whose
+    /// outlines are not known.
     std::optional<std::vector<LightSource>> as_sheets(const LampFaces& lamp) const {
         const PlacedModel placed = placed_lamp(body_, lamp);
-        if (is_flat(placed.model)) return std::nullopt;
+        if (auto panels = as_flat_faces(placed, lamp)) return panels;
         const Material& own = material_of(lamp);
         const LampSides sides = own.emits_both_ways ? LampSides::both_sides : LampSides::outer_side;
         auto body = std::make_shared<const TracedLamp>(placed.model, job_, sides);
