@@ -37,10 +37,12 @@ struct BorderCurve {
 /// outlines of its faces.
 class ContourBorder {
 public:
-    /// Pieces leave the curve by at most `deviation`, mm, as far as two places of each tell.
+    /// Pieces are halved, twelve times at most, until they leave the curve by at most `deviation`,
+    /// mm, at two places of each, and the faces turn little from node to node.
     ContourBorder(BorderCurve curve, double deviation);
 
-    /// Arcs from a point in the axes of the curve.
+    /// Arcs from a point in the axes of the curve. A face that turns its back and again its front
+    /// to it between two nodes is not found to.
     void append_arcs(const Vec3& point, std::vector<ContourArc>& arcs) const;
 
 private:

@@ -9,11 +9,12 @@
 namespace keiko {
 
 /// A box of a patch in which one parameter of a function's zeros is a function of the other: along
-/// the first it rises all over, or falls all over.
+/// the first it rises all over, or falls all over. Not so where halving ended before.
 class ContourCell {
 public:
-    /// Cells of a function over [0, 1]^2 that hold all of its zeros. Where halving does not tell
-    /// them apart, as at a crossing of zeros, a cell is 2^-14 wide and joins them by their order.
+    /// Cells of a function over [0, 1]^2 that hold all of its zeros. Where 28 halvings, of both
+    /// parameters together, do not tell them apart, as at a crossing of zeros, a cell joins them by
+    /// their order.
     static std::vector<ContourCell> all(ScalarNet function);
 
     /// Parts of the second parameter, 0 to 1 in the cell, over which there is a zero.

@@ -25,8 +25,9 @@ public:
     /// Tangent plane at a place of the model's patch, as weights of homogeneous coordinates
     /// relative to `center`; above 0 on its outer side.
     Vec4 outer_plane(const Vec2& uv, const Vec3& center) const;
-    /// Silhouettes from a point. Each arc is within `allowed` rad of the exact line of sight, as
-    /// far as two places between its ends and its middle tell.
+    /// Silhouettes from a point. Arcs are halved, ten times at most, until they are within
+    /// `allowed` rad of the exact line of sight at two places between their ends and their middles.
+    /// Trim curves cut them as 25 samples of each tell.
     void append_arcs(const Vec3& point, double allowed, ContourArcs& arcs) const;
 
 private:
