@@ -1,12 +1,17 @@
 // Luminous sheets with singular corners, trims and creases, held against rays.
+#include "keiko/geometry/trim/material_bounds.h"
+#include "keiko/import/worker/load_model.h"
 #include "keiko/visibility/contours/body_contour.h"
 
+#include "tests/support/paths.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 #include "tests/unit/render/luminous_sheets.h"
 
 #include <array>
 #include <cstdlib>
+#include <utility>
+#include <vector>
 
 namespace keiko {
 namespace {
@@ -53,6 +58,51 @@ TEST(CurvedSheets, CornerWithoutANormalHasBorders) {
     test::expect_light_of_rays(builder.model(), points);
     for (const Vec3& point : points)
         EXPECT_EQ(sheets_left_over(builder.model(), point), 0) << point;
+}
+
+/// A curved plate with a hole, at whose rim silhouettes end; from one place it is seen nearly
+/// edge-on.
+TEST(CurvedSheets, TrimmedPatchShinesAsRaysFind) {
+    const SurfaceModel model = load_model(test::repository("surfaces/trimmed-hole.step"));
+    const Box3 box = material_bounds(model);
+    std::vector<Vec3> points;
+    for (const Vec3& away : {Vec3(0.1, 0.2, -1), Vec3(0.1, 0, 1.2), Vec3(1.1, -0.3, 0.02),
+                             Vec3(-0.8, 0.9, 0.3), Vec3(-0.2, -1, 0.1)})
+        points.push_back(box.center() + away * box.size());
+    test::expect_light_of_rays(model, points);
+}
+
+/// Two cones rim to rim are one face, without an arc along the rim.
+SurfaceModel spindle(std::size_t quarters) {
+    std::vector<test::PatchData> patches, cylinder = test::cylinder(150, 200);
+    cylinder.resize(quarters);
+    for (const bool upper : {false, true})
+        for (test::PatchData patch : cylinder) {
+            for (std::size_t i = 0; i < patch.points.size(); ++i) {
+                Vec4& p = patch.points[i];
+                if ((i % 2 == 1) == upper) p.x = p.y = 0;
+                p.z += (upper ? 700 : 500) * p.w;
+            }
+            patch.map_v = {ParameterMap::Kind::affine, upper ? 1.0 : 0.0, upper ? 2.0 : 1.0};
+            patches.push_back(std::move(patch));
+        }
+    test::ShapeBuilder builder;
+    builder.face(patches);
+    return builder.model();
+}
+
+TEST(CurvedSheets, RidgesInsideAFaceAreKnown) {
+    EXPECT_FALSE(TracedLamp(spindle(3), {}, LampSides::outer_side).has_known_outlines());
+    const SurfaceModel closed = spindle(4);
+    const TracedLamp body(closed);
+    EXPECT_FALSE(body.has_known_outlines());
+    EXPECT_TRUE(body.is_closed());
+    const ContourLight light = test::lamp_of(closed, LampSides::of_solid);
+    for (const Vec3& point : {Vec3(30, 40, 0), Vec3(300, 0, 1200), Vec3(500, -300, 650)})
+        for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(-0.36, 0.48, -0.8)})
+            EXPECT_NEAR(projected_solid_angle(light, point, normal),
+                        test::by_rays(closed, false, point, normal), 4e-3)
+                << point << normal;
 }
 
 } // namespace

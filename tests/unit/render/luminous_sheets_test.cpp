@@ -17,9 +17,9 @@ using std::numbers::pi;
 using test::by_rays, test::lamp_of;
 
 /// The lower half of an ellipsoid's patches: an open bowl.
-SurfaceModel bowl() {
-    SurfaceModel egg = primitive_model(
-        EllipsoidShape{{0, 0, 600}, {250, 0, 0}, {0, 0, 150}, {0, -200, 30}}, "bowl");
+SurfaceModel bowl(const Vec3& at = {0, 0, 600}) {
+    SurfaceModel egg =
+        primitive_model(EllipsoidShape{at, {250, 0, 0}, {0, 0, 150}, {0, -200, 30}}, "bowl");
     std::erase_if(egg.patches, [](const Patch& patch) { return patch.map_u.begin >= 3; });
     egg.faces[0].patch_count = static_cast<std::uint32_t>(egg.patches.size());
     return egg;
@@ -64,6 +64,18 @@ TEST(LuminousSheets, BowlsShineToTheirSidesAsRaysFind) {
         model.faces[0].reversed = reversed;
         SCOPED_TRACE(reversed);
         test::expect_light_of_rays(model, points);
+    }
+}
+
+/// Outer sides before dark inner ones, and behind them: a ray decides, bowl by bowl.
+TEST(LuminousSheets, BowlsOneBeforeTheOtherHideEachOtherAsRaysFind) {
+    const std::array<Vec3, 5> points{Vec3(30, 40, 0), Vec3(100, 0, 1700), Vec3(900, -300, 650),
+                                     Vec3(-200, 300, 850), Vec3(20, -10, 590)};
+    for (const bool reversed : {false, true}) {
+        SCOPED_TRACE(reversed);
+        std::array both{bowl(), bowl({90, 60, 1000})};
+        both[1].faces[0].reversed = reversed;
+        test::expect_light_of_rays(merge(both), points);
     }
 }
 
