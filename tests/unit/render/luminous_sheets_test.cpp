@@ -79,5 +79,15 @@ TEST(LuminousSheets, BowlsOneBeforeTheOtherHideEachOtherAsRaysFind) {
     }
 }
 
+/// A pipe through a plate that shines down: from above it is bright as far as the plate.
+TEST(LuminousSheets, SheetsThatPassThroughOneAnotherHideEachOtherAsRaysFind) {
+    const FrustumShape pipe{{-40, 0, 350}, {60, 30, 850}, 90, 120, true};
+    const PlaneShape plate{{-300, -300, 600}, {0, 600, 0}, {600, 0, 0}};
+    const std::array both{primitive_model(pipe, "pipe"), primitive_model(plate, "plate")};
+    const std::array<Vec3, 4> points{Vec3(900, -300, 1100), Vec3(-500, 600, 900), Vec3(30, 40, 0),
+                                     Vec3(-700, 100, 500)};
+    test::expect_light_of_rays(merge(both), points);
+}
+
 } // namespace
 } // namespace keiko

@@ -6,6 +6,40 @@
 #include <utility>
 
 namespace keiko {
+namespace {
+
+/// Place between two parameters where a statement that holds at the first one, or not, changes.
+template <class F>
+double change_between(double low, double high, bool at_low, const F& holds) {
+    constexpr int halvings = 24;
+    for (int i = 0; i < halvings; ++i) {
+        const double middle = (low + high) / 2;
+        (holds(middle) == at_low ? low : high) = middle;
+    }
+    return (low + high) / 2;
+}
+
+/// Parts of a stretch where a statement holds, as both ends and the middle tell.
+template <class F>
+std::vector<ParameterInterval> parts_where(const ParameterInterval& stretch, const F& holds) {
+    constexpr double aside = 1e-3; // of the stretch, from what it ends at
+    const double off = aside * stretch.length();
+    double from = stretch.begin, before = from + off;
+    bool was = holds(before);
+    std::vector<ParameterInterval> parts;
+    for (const double at : {(stretch.begin + stretch.end) / 2, stretch.end - off}) {
+        if (holds(at) != was) {
+            const double change = change_between(before, at, was, holds);
+            if (was) parts.push_back({from, change});
+            from = change, was = !was;
+        }
+        before = at;
+    }
+    if (was) parts.push_back({from, stretch.end});
+    return parts;
+}
+
+} // namespace
 
 LampOutline::LampOutline(const Vec3& point, ContourArcs arcs, LampSides shining,
                          SidesAlong sides_along, const Box3& box)
@@ -72,17 +106,29 @@ std::vector<ParameterInterval> LampOutline::bright_parts(const Segment& segment,
     for (const Change& change : changes) {
         const double to = std::clamp(change.at, from, 1.0);
         if (to - from > sliver) {
-            const Vec3 middle = segment.at((from + to) / 2);
-            const bool shines = is_sound ? shines_from(middle, sheets) : shines_from(middle);
-            if (shines && !bright.empty() && from - bright.back().end <= sliver)
-                bright.back().end = to;
-            else if (shines)
-                bright.push_back({from, to});
+            for (const ParameterInterval& part : bright_in(segment, {from, to}, sheets, is_sound))
+                if (!bright.empty() && part.begin - bright.back().end <= sliver)
+                    bright.back().end = part.end;
+                else
+                    bright.push_back(part);
             from = to;
         }
         sheets += change.more;
     }
     return bright;
+}
+
+std::vector<ParameterInterval> LampOutline::bright_in(const Segment& segment,
+                                                      const ParameterInterval& stretch,
+                                                      const SheetCount& sheets,
+                                                      bool is_sound) const {
+    const auto shines = [&](double t) {
+        return is_sound ? shines_from(segment.at(t), sheets) : shines_from(segment.at(t));
+    };
+    const bool is_order_known = is_sound && !(sheets.front > 0 && sheets.back > 0);
+    if (shining_ == LampSides::outer_side && !is_order_known) return parts_where(stretch, shines);
+    const bool is_bright = shines((stretch.begin + stretch.end) / 2);
+    return is_bright ? std::vector{stretch} : std::vector<ParameterInterval>();
 }
 
 std::vector<CriticalSlice> LampOutline::turns(const Prism& prism, const TurnRule& /*rule*/) const {

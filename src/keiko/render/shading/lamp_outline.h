@@ -44,6 +44,11 @@ private:
     /// rays decide between all changes.
     std::vector<ParameterInterval> bright_parts(const Segment& segment, std::vector<Change> changes,
                                                 SheetCount sheets, bool is_sound) const;
+    /// Those of a stretch without arcs. Where outer and inner sides are met, they are compared at
+    /// both ends and in the middle, as sheets that pass through one another change their order.
+    std::vector<ParameterInterval> bright_in(const Segment& segment,
+                                             const ParameterInterval& stretch,
+                                             const SheetCount& sheets, bool is_sound) const;
     /// Numbers of sheets in the direction of a place.
     SheetCount sheets_towards(const Vec3& place) const;
     /// True if the body shines from the direction of a place.
