@@ -127,7 +127,7 @@ void require_texture(const TomlTable& table, const MaterialMap& map) {
     if (map.drives == MappedQuantity::normal && map.texture.kind != TextureKind::picture)
         throw table.error("texture", "a normal map is a picture");
     const bool solid = map.projection.kind == ProjectionKind::solid;
-    if (solid && is_flat(map.texture.kind))
+    if (solid && is_two_dimensional(map.texture.kind))
         throw table.error("projection", "a picture fills no space: it needs another kind");
     if (!solid && peel) throw table.error("projection", "orange-peel lies in space, in mm");
 }
@@ -146,7 +146,7 @@ MaterialMap map_from(const TomlTable& table, MappedQuantity drives) {
     const auto texture = table.table("texture");
     if (!texture) table.refuse_missing("texture");
     map.texture = texture_from(*texture, map.drives);
-    if (is_flat(map.texture.kind)) map.projection.kind = ProjectionKind::parameter;
+    if (is_two_dimensional(map.texture.kind)) map.projection.kind = ProjectionKind::parameter;
     if (const auto projection = table.table("projection")) {
         map.projection = projection_from(*projection);
         if (map.projection.kind != ProjectionKind::solid && texture->has("size"))

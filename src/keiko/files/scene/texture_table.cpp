@@ -99,7 +99,7 @@ bool is_random(TextureKind kind) {
 
 } // namespace
 
-bool is_flat(TextureKind kind) {
+bool is_two_dimensional(TextureKind kind) {
     return kind == TextureKind::picture || kind == TextureKind::reaction_diffusion;
 }
 
@@ -113,7 +113,7 @@ TextureSpec texture_from(const TomlTable& table, MappedQuantity drives) {
     if (is_random(texture.kind)) texture.seed = seed_from(table, texture.seed);
     if (texture.kind == TextureKind::orange_peel)
         texture.size = 1;
-    else if (!is_flat(texture.kind))
+    else if (!is_two_dimensional(texture.kind))
         texture.size = table.number("size", TomlLimits::length()).value_or(texture.size);
     table.finish();
     return texture;

@@ -7,7 +7,7 @@ namespace keiko {
 class TomlTable;
 
 /// True for textures of two coordinates, which fill no space.
-bool is_flat(TextureKind kind);
+bool is_two_dimensional(TextureKind kind);
 
 /// The `texture` of a map that drives a quantity, see docs/scene-format.md. Throws Error with file,
 /// line and column.

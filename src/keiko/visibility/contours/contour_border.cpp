@@ -1,15 +1,13 @@
 #include "keiko/visibility/contours/contour_border.h"
 
+#include "keiko/visibility/nets/tangent_planes.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace keiko {
 namespace {
-
-Vec3 spatial(const Vec4& p) {
-    return {p.x, p.y, p.z};
-}
 
 Vec4 homogeneous(const Vec3& p, double w) {
     return {p.x * w, p.y * w, p.z * w, w};

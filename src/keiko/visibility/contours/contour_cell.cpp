@@ -12,15 +12,15 @@ namespace keiko {
 namespace {
 
 /// Differences of neighbouring coefficients along one parameter.
-struct Slopes {
+struct Steps {
     double low = 0, high = 0; ///< 0 among them
     double mean = 0;          ///< of their magnitudes
 
     bool have_one_sign() const { return low >= 0 || high <= 0; }
 };
 
-Slopes slopes(const ScalarNet& net, bool by_u) {
-    Slopes all;
+Steps steps(const ScalarNet& net, bool by_u) {
+    Steps all;
     std::size_t count = 0;
     for (std::size_t i = 0; i + by_u < net.rows; ++i)
         for (std::size_t j = 0; j + !by_u < net.columns; ++j, ++count) {
@@ -131,7 +131,7 @@ void ContourCell::split(ScalarNet function, const Box2& box, int depth,
                         std::vector<ContourCell>& cells) {
     constexpr int most_halvings = 28; // of both parameters together
     if (has_one_sign(function)) return;
-    const Slopes by_u = slopes(function, true), by_v = slopes(function, false);
+    const Steps by_u = steps(function, true), by_v = steps(function, false);
     const bool u_rises = by_u.have_one_sign(), v_rises = by_v.have_one_sign();
     const bool first_is_v = v_rises && (!u_rises || by_v.mean > by_u.mean);
     if (u_rises || v_rises || depth == most_halvings) {

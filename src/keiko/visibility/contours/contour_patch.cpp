@@ -10,10 +10,6 @@
 namespace keiko {
 namespace {
 
-Vec3 spatial(const Vec4& p) {
-    return {p.x, p.y, p.z};
-}
-
 /// Traces the silhouettes of a patch from one point, cell by cell.
 class ContourTrace {
 public:

@@ -6,6 +6,11 @@
 
 namespace keiko {
 
+/// First three homogeneous coordinates: of a tangent plane, its normal.
+inline Vec3 spatial(const Vec4& p) {
+    return {p.x, p.y, p.z};
+}
+
 /// A net of homogeneous coefficients that owns its points; as BezierPatchView.
 struct HomogeneousNet {
     int degree_u = 0, degree_v = 0; ///< 0 or more

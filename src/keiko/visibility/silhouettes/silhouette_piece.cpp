@@ -23,10 +23,6 @@ constexpr double most_bent = 0.4;
 /// rad: what turns by no more, however unevenly, is seldom seen edge-on.
 constexpr double straight = 2e-3;
 
-Vec3 spatial(const Vec4& p) {
-    return {p.x, p.y, p.z};
-}
-
 /// Points relative to another place.
 HomogeneousNet moved_points(HomogeneousNet net, const Vec3& to) {
     for (Vec4& p : net.points) {
