@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <utility>
+#include <limits>
 
 namespace keiko {
 namespace {
@@ -29,37 +29,69 @@ PieceCorner corner_at(const SurfaceModel& model, const PatchPiece& piece, const 
     return corner;
 }
 
-/// Patch parameters where the ray meets a piece, about: on the plane of the half that it meets or
-/// comes nearest to. Not beyond the patch, nor farther beside the piece than that is wide.
-Vec2 met_parameters(const SurfaceModel& model, const PatchPiece& piece, const Ray& ray) {
-    const Affine& placed = model.instances[piece.instance].transform;
-    const Vec2 &low = piece.uv.lower, &high = piece.uv.upper, wide = piece.uv.extent();
-    const auto met = [&](const Vec2& middle) {
-        const std::array uv{low, middle, high};
+/// True for three places that span a plane, beyond rounding. At poles corners coincide.
+bool has_area(const Vec3& a, const Vec3& b, const Vec3& c) {
+    constexpr double rounding = 1e-9;
+    const Vec3 ab = b - a, ac = c - a;
+    return ab.cross(ac).length() > rounding * std::max(ab.length2(), ac.length2());
+}
+
+/// A triangle of half of a piece.
+struct PieceHalf {
+    std::array<Vec2, 3> uv; ///< its corners, patch parameters
+    Vec3 shares{0};         ///< of them, where the ray meets its plane
+    /// Least of the shares; a half without area is met nowhere.
+    double least = -std::numeric_limits<double>::infinity();
+
+    PieceHalf(const SurfaceModel& model, const PatchPiece& piece, const Vec2& middle,
+              const Ray& ray)
+        : uv{piece.uv.lower, middle, piece.uv.upper} {
+        const Affine& placed = model.instances[piece.instance].transform;
         std::array<Vec3, 3> places;
         for (std::size_t i = 0; i < 3; ++i)
             places[i] = placed.point(evaluate(model.patch(piece.patch), uv[i], 0).position());
-        return std::pair(ray_weights(places, ray), uv);
-    };
-    const auto least = [](const Vec3& shares) { return std::min({shares.x, shares.y, shares.z}); };
-    const auto below = met({high.x, low.y}), above = met({low.x, high.y});
-    const auto& [shares, uv] = least(below.first) >= least(above.first) ? below : above;
-    Vec2 at = mixed(shares, uv);
+        shares = ray_weights(places, ray);
+        if (has_area(places[0], places[1], places[2]))
+            least = std::min({shares.x, shares.y, shares.z});
+    }
+};
+
+/// Patch parameters where the ray meets a piece, about: on the plane of the half that it meets or
+/// comes nearest to. Not beyond the patch, nor farther beside the piece than that is wide.
+Vec2 met_parameters(const SurfaceModel& model, const PatchPiece& piece, const Ray& ray) {
+    const Vec2 &low = piece.uv.lower, &high = piece.uv.upper, wide = piece.uv.extent();
+    const PieceHalf below(model, piece, {high.x, low.y}, ray);
+    const PieceHalf above(model, piece, {low.x, high.y}, ray);
+    const PieceHalf& met = below.least >= above.least ? below : above;
+    Vec2 at = mixed(met.shares, met.uv);
     for (unsigned i = 0; i < 2; ++i)
         at[i] =
             std::clamp(at[i], std::max(low[i] - wide[i], 0.0), std::min(high[i] + wide[i], 1.0));
     return at;
 }
 
-/// A facet as large as half of the piece, around the place where the ray meets it.
-std::array<PieceCorner, 3> facet_of(const SurfaceModel& model, const PatchPiece& piece,
-                                    const Ray& ray) {
-    const Vec2 middle = met_parameters(model, piece, ray), wide = piece.uv.extent();
+/// Corners around a place of a patch, of two base corners and a tip; none beyond the patch.
+std::array<PieceCorner, 3> facet_around(const SurfaceModel& model, const PatchPiece& piece,
+                                        const Vec2& middle, const Vec2& base_to_tip) {
     const auto corner = [&](double u, double v) {
-        const Vec2 at = middle + Vec2(u * wide.x, v * wide.y);
+        const Vec2 at = middle + Vec2(u * base_to_tip.x, v * base_to_tip.y);
         return corner_at(model, piece, {std::clamp(at.x, 0.0, 1.0), std::clamp(at.y, 0.0, 1.0)});
     };
     return {corner(-0.5, -0.5), corner(0.5, -0.5), corner(0, 0.5)};
+}
+
+/// A facet as large as half of the piece, around the place where the ray meets it. Where corners
+/// coincide on a collapsed side of the patch it is moved beside that, its tip there.
+std::array<PieceCorner, 3> facet_of(const SurfaceModel& model, const PatchPiece& piece,
+                                    const Ray& ray) {
+    Vec2 middle = met_parameters(model, piece, ray), wide = piece.uv.extent();
+    const auto facet = facet_around(model, piece, middle, wide);
+    if (has_area(facet[0].position, facet[1].position, facet[2].position)) return facet;
+    for (unsigned i = 0; i < 2; ++i) {
+        wide[i] = std::min(wide[i], 0.5); // not from one side of the patch to the other
+        middle[i] = std::clamp(middle[i], wide[i] / 2, 1 - wide[i] / 2);
+    }
+    return facet_around(model, piece, middle, middle.y < 0.5 ? -wide : wide);
 }
 
 } // namespace

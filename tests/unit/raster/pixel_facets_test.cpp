@@ -5,12 +5,15 @@
 
 #include "tests/support/analytic_models.h"
 #include "tests/support/hand_mesh.h"
+#include "tests/support/model_builder.h"
 #include "tests/support/picture_interior.h"
 #include "tests/support/shapes.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <vector>
 
 namespace keiko {
 namespace {
@@ -67,6 +70,51 @@ TEST(PixelFacets, LieOnTheSurfaceWithinATenthOfAPixelOfItsHit) {
         }
     EXPECT_GT(compared, 1000);
     EXPECT_LT(worst, 0.1);
+}
+
+/// The largest angle between the facets of a picture and the sphere that they show, radians; pi for
+/// one without area. Those more than 60 degrees from the eye's direction are left out.
+double worst_tilt(const SurfaceModel& model, const Camera& camera) {
+    const PixelFacets facets = pixel_facets(model, camera);
+    const MeshView view(facets.mesh, camera, facets.items);
+    double worst = 0;
+    for (std::uint32_t t = 0; t < facets.mesh.triangles.size(); ++t) {
+        const auto corners = view.corners(t);
+        const Vec3 outward = ((corners[0] + corners[1] + corners[2]) / 3).normalized();
+        if (outward.dot(camera.eye.normalized()) < 0.5) continue;
+        const Vec3 normal = view.facet_normal(t);
+        if (normal == Vec3(0)) return std::numbers::pi;
+        const double tilt = angle_between(outward, normal);
+        worst = std::max(worst, std::min(tilt, std::numbers::pi - tilt));
+    }
+    return worst;
+}
+
+TEST(PixelFacets, HaveTheNormalOfTheSurfaceAtPoles) {
+    for (const double side : {1.0, -1.0})
+        for (const int pixels : {90, 91}) { // the pole between four pixels, and in one's centre
+            Camera camera = test::camera_on_x(100, pixels, pixels);
+            camera.eye = Vec3(0, 0, 100 * side), camera.up = Vec3(0, 1, 0);
+            const double pixel = camera.pixel_size() * 100; // mm
+            EXPECT_LT(worst_tilt(sphere_model(), camera), 3 * pixel / radius) << side << pixels;
+        }
+}
+
+TEST(PixelFacets, HaveAnAreaAtEachSideThatCollapses) {
+    const Vec3 tip(0), a(0, 20, -17), b(0, 20, 19);
+    for (const std::vector<Vec3>& corners :
+         {std::vector{tip, tip, a, b}, {a, b, tip, tip}, {tip, a, tip, b}, {a, tip, b, tip}}) {
+        test::ModelBuilder builder;
+        builder.patch(1, 1, corners);
+        builder.instance({});
+        const SurfaceModel model = builder.build();
+        const Camera camera = test::camera_on_x(100, 91, 91); // the tip in a pixel's centre
+        const PixelFacets facets = pixel_facets(model, camera);
+        const MeshView view(facets.mesh, camera, facets.items);
+        ASSERT_GT(facets.mesh.triangles.size(), 100U);
+        for (std::uint32_t t = 0; t < facets.mesh.triangles.size(); ++t)
+            EXPECT_NEAR(std::abs(view.facet_normal(t).x), 1, 1e-6);
+    }
 }
 
 TEST(PixelFacets, AreTheSameForAnyNumberOfThreads) {
