@@ -43,10 +43,9 @@ double SecondDerivativeBounds::deviation(const SpanCells& cells) const {
     return (uu * u * u + 2 * uv * u * v + vv * v * v) / 8;
 }
 
-SpanCells SecondDerivativeBounds::cells_within(double most) const {
+SpanCells SecondDerivativeBounds::cells_within(double within, std::size_t most) const {
     SpanCells cells;
-    constexpr int widest = 1 << 14; // a patch in more cells than pixels of any picture
-    while (deviation(cells) > most && std::max(cells.u, cells.v) < widest) {
+    while (!(deviation(cells) <= within) && cells.count() <= most) {
         const double by_u = uu / (double(cells.u) * cells.u);
         const double by_v = vv / (double(cells.v) * cells.v);
         int& finer = by_u >= by_v ? cells.u : cells.v;

@@ -4,6 +4,7 @@
 #include "keiko/geometry/bezier/parameter_map.h"
 #include "keiko/geometry/bezier/parameter_metric.h"
 #include "keiko/geometry/trim/trim_region.h"
+#include "keiko/raster/face_cells.h"
 #include "keiko/raster/mesh_budget.h"
 #include "keiko/raster/second_derivative_bounds.h"
 
@@ -23,48 +24,6 @@ namespace {
 constexpr double inset = 1e-6;
 /// Halvings of a cell until only rounding is left of it.
 constexpr int most_halvings = 80;
-
-/// Patches of a face with the same range of a face parameter have as many cells along it.
-class FaceCells {
-public:
-    FaceCells(const SurfaceModel& model, const Face& face, double deviation) {
-        for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
-            bounds_.push_back(SecondDerivativeBounds::of(model.patch(p)));
-            const SpanCells cells = bounds_.back().cells_within(deviation);
-            const Patch& patch = model.patches[p];
-            int &u = along_u_[range(patch.map_u)], &v = along_v_[range(patch.map_v)];
-            u = std::max(u, cells.u), v = std::max(v, cells.v);
-        }
-        for (std::uint32_t p = 0; p < face.patch_count; ++p)
-            deviation_ =
-                std::max(deviation_, bounds_[p].deviation(of(model.patches[face.first_patch + p])));
-    }
-
-    SpanCells of(const Patch& patch) const {
-        return {along_u_.at(range(patch.map_u)), along_v_.at(range(patch.map_v))};
-    }
-    double deviation() const { return deviation_; }
-    /// Number of the cells of a model's face.
-    std::size_t count(const SurfaceModel& model, const Face& face) const {
-        std::size_t sum = 0;
-        for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
-            const SpanCells cells = of(model.patches[p]);
-            sum += static_cast<std::size_t>(cells.u) * static_cast<std::size_t>(cells.v);
-        }
-        return sum;
-    }
-    /// Bounds of a patch, counted from the first of the face.
-    const SecondDerivativeBounds& bounds(std::size_t patch) const { return bounds_[patch]; }
-
-private:
-    static std::pair<double, double> range(const ParameterMap& map) {
-        return {map.to_face(0), map.to_face(1)};
-    }
-
-    std::map<std::pair<double, double>, int> along_u_, along_v_;
-    std::vector<SecondDerivativeBounds> bounds_;
-    double deviation_ = 0;
-};
 
 /// Divides one patch of a trimmed face.
 class PatchMesher {
@@ -255,8 +214,8 @@ ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job,
     MeshBudget cells(model, deviation, most), triangles(model, deviation, most);
     std::vector<std::optional<FaceCells>> divided(model.faces.size());
     parallel_for(divided.size(), job, "", [&](std::size_t f) {
-        divided[f].emplace(model, model.faces[f], deviation);
-        cells.spend(divided[f]->count(model, model.faces[f]));
+        divided[f].emplace(model, model.faces[f], deviation, most);
+        cells.spend(divided[f]->count());
     });
     ModelMesh mesh(model.faces.size());
     parallel_for(mesh.size(), job, "mesh", [&](std::size_t f) {

@@ -44,7 +44,7 @@ TEST(SpanMesh, BoundsTheDeviationOfEachPatch) {
         for (std::uint32_t p = 0; p < model.patches.size(); ++p) {
             const auto bounds = SecondDerivativeBounds::of(model.patch(p));
             for (const double asked : {1.0, 0.05}) {
-                const SpanCells cells = bounds.cells_within(asked);
+                const SpanCells cells = bounds.cells_within(asked, most_span_triangles);
                 EXPECT_LE(bounds.deviation(cells), asked);
                 const double found = sampled_deviation(model.patch(p), cells);
                 EXPECT_LE(found, bounds.deviation(cells));
@@ -53,16 +53,32 @@ TEST(SpanMesh, BoundsTheDeviationOfEachPatch) {
         }
 }
 
-TEST(SpanMesh, BoundOfAParabolaIsMet) {
-    test::ModelBuilder builder; // z = u^2 over a square
+/// z = height u^2 over a square, one patch.
+SurfaceModel parabola(double height) {
+    test::ModelBuilder builder;
     builder.patch(2, 1,
-                  {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0.5, 0, 0), Vec3(0.5, 1, 0), Vec3(1, 0, 1),
-                   Vec3(1, 1, 1)});
+                  {Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0.5, 0, 0), Vec3(0.5, 1, 0),
+                   Vec3(1, 0, height), Vec3(1, 1, height)});
     builder.instance({});
-    const SurfaceModel model = builder.build();
+    return builder.build();
+}
+
+TEST(SpanMesh, BoundOfAParabolaIsMet) {
+    const SurfaceModel model = parabola(1);
     const auto bounds = SecondDerivativeBounds::of(model.patch(0));
     EXPECT_NEAR(bounds.deviation({1, 1}), 0.25, 1e-12); // at u = 1/2, from the chord
     EXPECT_NEAR(bounds.deviation({4, 1}), 0.25 / 16, 1e-12);
+}
+
+TEST(SpanMesh, MeetsTheDeviationOrRefuses) {
+    for (const double asked : {1e-2, 1e-6}) { // some 500 cells and 50000
+        const ModelMesh mesh = span_mesh(parabola(1e4), asked);
+        EXPECT_GT(mesh.front().triangles.size(), 100U);
+        EXPECT_LE(mesh.front().deviation, asked);
+    }
+    EXPECT_THROW(span_mesh(parabola(1e4), 1e-6, {}, 40000), Error);
+    EXPECT_THROW(span_mesh(parabola(1e4), 1e-13), Error);
+    EXPECT_THROW(span_mesh(parabola(1e200), 1), Error); // the bound is beyond all numbers
 }
 
 double area(const FaceMesh& mesh) {
