@@ -30,13 +30,14 @@ class PatchMesher {
 public:
     PatchMesher(const SurfaceModel& model, const TrimRegion& trims,
                 const SecondDerivativeBounds& bounds, std::uint32_t patch, double deviation,
-                FaceMesh& mesh)
+                MeshBudget& triangles, FaceMesh& mesh)
         : model_(model),
           trims_(trims),
           bounds_(bounds),
           patch_(patch),
           maps_(model.patches[patch]),
           deviation_(deviation),
+          triangles_(triangles),
           mesh_(mesh) {}
 
     void add_cell(const Box2& uv, int halvings = most_halvings) {
@@ -166,9 +167,11 @@ private:
 
     /// Adds a convex polygon of patch parameters.
     void add_polygon(const std::vector<Vec2>& polygon) {
-        for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+        for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+            triangles_.spend(1);
             mesh_.triangles.push_back(
                 {corner(polygon[0]), corner(polygon[i]), corner(polygon[i + 1])});
+        }
     }
 
     /// Index of a corner, which the cells around it share.
@@ -185,6 +188,7 @@ private:
     std::uint32_t patch_;
     const Patch& maps_;
     double deviation_;
+    MeshBudget& triangles_;
     FaceMesh& mesh_;
     std::map<std::pair<double, double>, std::uint32_t> corners_; ///< by patch parameters
 };
@@ -196,11 +200,10 @@ FaceMesh mesh_of(const SurfaceModel& model, const Face& face, const FaceCells& c
     mesh.deviation = cells.deviation();
     for (std::uint32_t p = face.first_patch; p < face.first_patch + face.patch_count; ++p) {
         const SpanCells divided = cells.of(model.patches[p]);
-        PatchMesher mesher(model, trims, cells.bounds(p - face.first_patch), p, deviation, mesh);
+        PatchMesher mesher(model, trims, cells.bounds(p - face.first_patch), p, deviation,
+                           triangles, mesh);
         for (int i = 0; i < divided.u; ++i) {
-            const std::size_t before = mesh.triangles.size();
             for (int j = 0; j < divided.v; ++j) mesher.add_cell(divided.box(i, j));
-            triangles.spend(mesh.triangles.size() - before);
             check_stop();
         }
     }
@@ -210,11 +213,12 @@ FaceMesh mesh_of(const SurfaceModel& model, const Face& face, const FaceCells& c
 
 } // namespace
 
-ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job, std::size_t most) {
-    MeshBudget cells(model, deviation, most), triangles(model, deviation, most);
+ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job,
+                    const TriangleLimit& limit) {
+    MeshBudget cells(model, deviation, limit), triangles(model, deviation, limit);
     std::vector<std::optional<FaceCells>> divided(model.faces.size());
     parallel_for(divided.size(), job, "", [&](std::size_t f) {
-        divided[f].emplace(model, model.faces[f], deviation, most);
+        divided[f].emplace(model, model.faces[f], deviation, limit.most);
         cells.spend(divided[f]->count());
     });
     ModelMesh mesh(model.faces.size());

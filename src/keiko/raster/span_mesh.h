@@ -3,13 +3,9 @@
 #include "keiko/base/job.h"
 #include "keiko/geometry/model/model_mesh.h"
 #include "keiko/geometry/model/surface_model.h"
-
-#include <cstddef>
+#include "keiko/raster/triangle_limit.h"
 
 namespace keiko {
-
-/// Triangles of a mesh by spans at most: some 5 GB while a picture of them is made.
-constexpr std::size_t most_span_triangles = 50'000'000;
 
 /// Triangles of the material of each face: every patch, a knot span, in a grid of cells of two
 /// triangles that no place of the surface leaves by more than `deviation` mm, which is proved.
@@ -18,9 +14,9 @@ constexpr std::size_t most_span_triangles = 50'000'000;
 /// than `deviation`, which is proved too; trims within a millionth of a patch of its border count
 /// as on it. Islands and holes smaller than `deviation` may be lost. FaceMesh::deviation is the
 /// larger of both bounds. The weights of the model must be positive. Throws Error naming the
-/// model's source for more than `most` cells or triangles, before memory is spent on more;
+/// model's source for more cells or triangles than the limit, before memory is spent on more;
 /// Cancelled.
 ModelMesh span_mesh(const SurfaceModel& model, double deviation, const Job& job = {},
-                    std::size_t most = most_span_triangles);
+                    const TriangleLimit& limit = {});
 
 } // namespace keiko

@@ -114,6 +114,27 @@ private:
     MeshErrorReport& report_;
 };
 
+/// The meshes, each a step of a weight, and what the report tells of them.
+std::vector<SurfaceMesh> make_meshes(const Scene& scene, const MeshErrorOptions& options,
+                                     JobSteps& steps, double weight,
+                                     std::vector<ComparedMesh>& told) {
+    std::vector<SurfaceMesh> meshes;
+    TriangleLimit limit{options.most_triangles};
+    for (const double deviation : options.deviations) {
+        meshes.push_back(surface_mesh(scene,
+                                      {.deviation = deviation,
+                                       .load = options.load,
+                                       .mesher = options.mesher,
+                                       .normals = options.normals,
+                                       .limit = limit},
+                                      steps.next(weight)));
+        const SurfaceMesh& mesh = meshes.back();
+        limit.beside += mesh.triangles.size();
+        told.push_back({deviation, mesh.deviation, mesh.triangles.size(), mesh.lost_faces});
+    }
+    return meshes;
+}
+
 } // namespace
 
 MeshErrorReport mesh_error(const Scene& scene, const MeshErrorOptions& options, const Job& job) {
@@ -129,18 +150,8 @@ MeshErrorReport mesh_error(const Scene& scene, const MeshErrorOptions& options, 
     MeshErrorReport report{version(), source_of(scene), source_of(lights, options),
                            options.normals == CornerNormals::averaged,
                            options.mesher == Mesher::spans};
-    std::vector<SurfaceMesh> triangles;
-    for (const double deviation : options.deviations) {
-        triangles.push_back(surface_mesh(scene,
-                                         {.deviation = deviation,
-                                          .load = options.load,
-                                          .mesher = options.mesher,
-                                          .normals = options.normals},
-                                         steps.next(meshing)));
-        const SurfaceMesh& mesh = triangles.back();
-        report.meshes.push_back(
-            {deviation, mesh.deviation, mesh.triangles.size(), mesh.lost_faces});
-    }
+    const std::vector<SurfaceMesh> triangles =
+        make_meshes(scene, options, steps, meshing, report.meshes);
     const RigPlanes lamps(lights.rig);
     const double each = comparing * automatic_views / static_cast<double>(views.size());
     for (const NamedView& view : views)

@@ -128,7 +128,8 @@ std::vector<double> deviations(const std::vector<Vec3>& places, const MeshOption
 }
 
 ModelMesh triangles_of(const SurfaceModel& model, const MeshOptions& options, const Job& job) {
-    if (options.mesher == Mesher::spans) return span_mesh(model, options.deviation, job);
+    if (options.mesher == Mesher::spans)
+        return span_mesh(model, options.deviation, job, options.limit);
     return mesh_in_worker(model, options.deviation, options.load, job);
 }
 

@@ -2,6 +2,7 @@
 
 #include "keiko/base/export.h"
 #include "keiko/geometry/model/surface_mesh.h"
+#include "keiko/raster/triangle_limit.h"
 #include "keiko/workflow/open_scene.h"
 
 #include <string>
@@ -55,13 +56,14 @@ struct MeshOptions {
     LoadOptions load{};                 ///< of the worker that makes the triangles
     Mesher mesher = Mesher::opencascade;            ///< that makes them
     CornerNormals normals = CornerNormals::surface; ///< at the corners
+    TriangleLimit limit{};                          ///< of the mesher `spans`
 };
 
 /// Triangles of a scene's body. Their corners lie on the exact surface, where normals and fields
 /// are evaluated: curvatures are positive where it bends towards its outward normal, and no number
 /// at poles. A deviation beyond the reach is no number. Faces that no triangles come of are named
-/// in lost_faces. Throws Error for options that are out of range, and as load_model does;
-/// Cancelled.
+/// in lost_faces. Throws Error for options that are out of range, for more triangles than the
+/// limit, and as load_model does; Cancelled.
 SurfaceMesh surface_mesh(const Scene& scene, const MeshOptions& options = {}, const Job& job = {});
 
 } // namespace keiko

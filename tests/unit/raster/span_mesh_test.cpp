@@ -76,7 +76,7 @@ TEST(SpanMesh, MeetsTheDeviationOrRefuses) {
         EXPECT_GT(mesh.front().triangles.size(), 100U);
         EXPECT_LE(mesh.front().deviation, asked);
     }
-    EXPECT_THROW(span_mesh(parabola(1e4), 1e-6, {}, 40000), Error);
+    EXPECT_THROW(span_mesh(parabola(1e4), 1e-6, {}, {40000}), Error);
     EXPECT_THROW(span_mesh(parabola(1e4), 1e-13), Error);
     EXPECT_THROW(span_mesh(parabola(1e200), 1), Error); // the bound is beyond all numbers
 }
@@ -158,15 +158,16 @@ TEST(SpanMesh, CutsCurvedFacesOfAngularParameters) {
 TEST(SpanMesh, RefusesMoreCellsOrTrianglesThanAllowed) {
     const SurfaceModel torus = test::torus_model(100, 20);
     const std::size_t count = span_mesh(torus, 0.05).front().triangles.size();
-    EXPECT_EQ(span_mesh(torus, 0.05, {}, count).front().triangles.size(), count);
-    EXPECT_THROW(span_mesh(torus, 0.05, {}, count - 1), Error);
+    EXPECT_EQ(span_mesh(torus, 0.05, {}, {count}).front().triangles.size(), count);
+    EXPECT_THROW(span_mesh(torus, 0.05, {}, {count - 1}), Error);
+    EXPECT_THROW(span_mesh(torus, 0.05, {}, {2 * count, count + 1}), Error);
     test::ShapeBuilder shape; // one cell, but many triangles along the hole
     shape.face({test::rectangle(0, 9, 0, 9, 0)},
                {test::polygon({Vec2(0, 0), Vec2(9, 0), Vec2(9, 9), Vec2(0, 9)}),
                 test::circle(Vec2(4, 4), 2)});
     EXPECT_GT(span_mesh(shape.model(), 1e-3).front().triangles.size(), 20U);
     try {
-        span_mesh(shape.model(), 1e-3, {}, 20);
+        span_mesh(shape.model(), 1e-3, {}, {20});
         FAIL();
     } catch (const Error& error) {
         EXPECT_STREQ(error.what(), "its mesh within 0.001 mm has more than 20 cells or triangles");
