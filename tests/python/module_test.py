@@ -725,6 +725,22 @@ class MeshErrorTest(unittest.TestCase):
         self.assertGreater(figures["pixels_p99"][0], 2 * figures["pixels_p99"][1])
         self.assertEqual(errors.to_dict()["deviations"], "proved")
 
+    def test_figures_of_a_view_without_lamps_are_no_numbers(self):
+        row, = keiko.mesh_error(self.dent, 0.1, mesher="spans", rig=ROOT / "lightrigs/tunnel-12.toml",
+                                **{**self.small, "views": "bottom"}).figures
+        self.assertEqual((row["compared"], row["wrong"]), (0, 0))
+        sizes = [f"{size}_{of}" for size in ("pixels", "on_part", "at_lamps", "normal")
+                 for of in ("median", "p99", "largest")]
+        self.assertTrue(all(np.isnan(row[name]) for name in sizes))
+        self.assertGreater(row["band_places"], 0)
+        self.assertGreater(row["band_constant"], 0)
+
+    def test_meshes_are_of_any_iterable(self):
+        several = (deviation for deviation in (0.5, np.float32(0.25)))
+        for mesh, asked in ((several, [0.5, 0.25]), (np.array(0.5), [0.5]), (1, [1])):
+            errors = keiko.mesh_error(self.dent, mesh, mesher="spans", **self.small)
+            self.assertEqual([one["asked"] for one in errors.meshes], asked)
+
     def test_wrong_arguments_are_refused(self):
         for options, field in (({"mesh": 0}, "mesh"), ({"mesh": []}, "mesh"), ({"mesh": [1, 1]}, "mesh"),
                                ({"mesher": "delaunay"}, "mesher"), ({"normals": "flat"}, "normals"),
@@ -734,6 +750,9 @@ class MeshErrorTest(unittest.TestCase):
                 keiko.mesh_error(self.dent, **options)
         with self.assertRaisesRegex(TypeError, "mesher"):
             keiko.mesh_error(self.dent, mesher=3)
+        for wrong in ("0.1", None, [True], [[1]]):
+            with self.assertRaisesRegex(TypeError, "mesh"):
+                keiko.mesh_error(self.dent, wrong)
 
 
 class DrawingTest(unittest.TestCase):

@@ -14,7 +14,7 @@ import tempfile as _tempfile
 import numpy as _np
 
 from . import _pages
-from ._arguments import checked as _checked, error as _error, number as _number, rows as _rows
+from ._arguments import checked as _checked, each_number as _each_number, error as _error, rows as _rows
 from ._documents import Check, Comparison, Document, Facts, Judged, Lines, MeshErrors, Regression, Report, ScanComparison
 from ._keiko import (Curve, DeepBuffer, Drawing, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
                      accept_findings, analysis_png, check_json, comparison_files, deep_buffer, draw_sheet, find_lines, hit_dtype,
@@ -276,7 +276,7 @@ def mesh_error(scene, mesh=(1, 0.1), *, views=(), rig=None, mesher: str = "openc
     have it, its deviation measured, or spans, within a proved bound. `normals` of corners are the surface's, or
     averaged over the triangles around. `width` and `height` are pixels of the pictures, 0: the scene's own size.
     """
-    deviations = [_number("mesh", one) for one in ([mesh] if _np.ndim(mesh) == 0 else mesh)]
+    deviations = _each_number("mesh", mesh)
     options = {"views": _words(views), "mesher": mesher, "normals": normals, "width": width, "height": height}
     scene = _opened(scene, progress, threads)
     return MeshErrors(mesh_error_files(scene, deviations, rig, options, progress, threads), _os.getcwd())

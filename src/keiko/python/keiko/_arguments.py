@@ -64,6 +64,15 @@ def number(name: str, value) -> float:
     return _taken(name, "float", value)
 
 
+def each_number(name: str, value) -> list:
+    """The numbers of an iterable, or one number alone. What is none raises TypeError with the name of the argument."""
+    try:
+        several = iter(value)
+    except TypeError:
+        several = iter([value])
+    return [number(name, one) for one in several]
+
+
 def checked(verb):
     """The verb, which takes its annotated arguments as whole numbers, numbers, flags and texts.
 

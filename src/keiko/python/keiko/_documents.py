@@ -201,6 +201,7 @@ class MeshErrors(Document):
         of mirrored lines in pixels and in mm, and `normal`, in seconds of arc: each has `_median`, `_p99` and
         `_largest`. Mach bands at `band_places` borders of facets are `band_truth` of the surface, `band_constant`,
         `band_gouraud` and `band_phong`: second differences from pixel to pixel, in shares of the largest luminance.
+        Sizes are NaN where `compared` is 0, Mach bands where `band_places` is: nothing was measured there.
         """
         rows = [_figures(view["view"], mesh) for view in self._values["views"] for mesh in view["meshes"]]
         kinds = {str: f"U{max(len(row['view']) for row in rows)}", int: "i8", float: "f8"}
@@ -234,9 +235,15 @@ def _figures(view: str, mesh: dict) -> dict:
     for name in ("missed", "added", "other_face"):
         row |= {name: errors[name]["all"], f"{name}_inside": errors[name]["inside"]}
     for name, sizes in (*errors["displacement"].items(), ("normal", errors["normal_arcsec"])):
-        row |= {f"{name}_{quantile}": float(size) for quantile, size in sizes.items()}
+        row |= {f"{name}_{quantile}": _measured(size, errors["compared"]) for quantile, size in sizes.items()}
     row["band_places"] = bands["places"]
-    return row | {f"band_{name}": float(bands[name]) for name in ("truth", "constant", "gouraud", "phong")}
+    return row | {f"band_{name}": _measured(bands[name], bands["places"])
+                  for name in ("truth", "constant", "gouraud", "phong")}
+
+
+def _measured(size: float, places: int) -> float:
+    """A size that was measured at a number of places, NaN at none."""
+    return float(size) if places else float("nan")
 
 
 class ScanComparison(Judged):
