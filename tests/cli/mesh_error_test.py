@@ -125,6 +125,8 @@ class MeshLook(MeshTest):
                   for mesh in ("1", "pixel")]
         self.assertGreater(unlike[0], len(exact) // 200)
         self.assertLess(unlike[1], unlike[0] // 4)
+        pixel = ("--look", "mesh:phong", "--mesh", "pixel")
+        self.assertEqual(samples(*pixel), samples(*pixel, "--hidden-surfaces", "z-buffer", "--mesh-shadows", "none"))
 
     def test_all_algorithms_show_the_same(self):
         pictures = {self.picture("--look", "mesh:phong", "--hidden-surfaces", by)
@@ -162,6 +164,8 @@ class MeshLook(MeshTest):
                              (("--look", "mesh:phong", "--mesh", "fine"), "--mesh"),
                              (("--look", "mesh:phong", "--mesh", "nan"), "--mesh"),
                              (("--look", "mesh:phong", "--mesh", "pixel", "--mesh-shadows", "ray"), "--mesh-shadows"),
+                             (("--look", "mesh:phong", "--mesh", "pixel", "--hidden-surfaces", "painter"),
+                              "--hidden-surfaces"),
                              (("--hidden-surfaces", "scan-line"), "--hidden-surfaces"),
                              (("--mesh-shadows", "ray"), "--mesh-shadows")):
             self.refuse("render", DENT, *SMALL, "-o", "picture.png", *wrong, mentioning=named)

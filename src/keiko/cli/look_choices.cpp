@@ -82,14 +82,8 @@ std::optional<MeshLook> RenderArguments::mesh_look() const {
     if (hidden_surfaces_ == "painter") look.hidden_surfaces = HiddenSurfaces::painter;
     look.shadows = shadows_by_name(mesh_shadows_);
     look.mesh.load = load_options(scene);
-    if (mesh_ == "pixel") {
-        for (const CLI::Option* other : {stated_hidden_, stated_mesh_shadows_})
-            if (stated(other))
-                throw Error("", "--mesh pixel", "has no mesh for " + other->get_name());
-        look.by_pixels = true;
-    } else if (!mesh_.empty()) {
-        look.mesh.deviation = std::stod(mesh_);
-    }
+    look.by_pixels = mesh_ == "pixel";
+    if (!mesh_.empty() && !look.by_pixels) look.mesh.deviation = std::stod(mesh_);
     return look;
 }
 

@@ -163,6 +163,15 @@ void require_plain(const Scene& scene, const LightRig& rig) {
     }
 }
 
+/// Throws FieldError for what only a mesh has, not facets of a pixel.
+void require_no_mesh_options(const MeshLook& look) {
+    if (look.shadows != MeshShadows::none)
+        throw FieldError("mesh-shadows", "facets of a pixel are of what is seen, and cast none");
+    if (look.hidden_surfaces != HiddenSurfaces::z_buffer)
+        throw FieldError("hidden-surfaces",
+                         "facets of a pixel are made of what recursive subdivision finds");
+}
+
 } // namespace
 
 std::optional<MeshShading> mesh_shading_from(const std::string& look) {
@@ -191,8 +200,6 @@ Film shaded_film(const MeshView& view, const MeshLight& light, MeshShading shadi
 
 Film pixel_film(const Scene& scene, const LightRig& rig, const Camera& camera, const MeshLook& look,
                 JobSteps& steps, double dividing, double shading) {
-    if (look.shadows != MeshShadows::none)
-        throw FieldError("mesh", "by the pixel has only what is seen, which casts no shadows");
     const PixelFacets facets = pixel_facets(scene.model, camera, steps.next(dividing, 2));
     const MeshView view(facets.mesh, camera, facets.items);
     return shaded_film(view, MeshLight(scene, rig, facets.mesh), look.shading, steps.next(shading));
@@ -203,6 +210,7 @@ Film pixel_film(const Scene& scene, const LightRig& rig, const Camera& camera, c
 Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera, const MeshLook& look,
                const Job& job) {
     require_plain(scene, rig);
+    if (look.by_pixels) require_no_mesh_options(look);
     constexpr double meshing = 3, shading = 2;
     JobSteps steps(job, meshing + shading);
     if (look.by_pixels) return pixel_film(scene, rig, camera, look, steps, meshing, shading);

@@ -30,7 +30,8 @@ struct MeshLook {
 /// mesh dims the lights of mesh_light_shares() on what the eye sees of it and of the ground, by
 /// pixels of the mesh itself. `by_pixels` needs no mesh: it has no shadows, as facets are made of
 /// what is seen alone, and recursive subdivision finds that [Catmull1974]. Throws as surface_mesh,
-/// FieldError for a scene with fog, maps, brushed metal or bodies that emit light, and Cancelled.
+/// FieldError for `shadows` or another way than the z-buffer with `by_pixels` and for a scene with
+/// fog, maps, brushed metal or bodies that emit light, and Cancelled.
 Film mesh_film(const Scene& scene, const LightRig& rig, const Camera& camera,
                const MeshLook& look = {}, const Job& job = {});
 
