@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <utility>
+#include <vector>
 
 namespace keiko {
 namespace {
@@ -61,12 +64,25 @@ void add_hair(const FurSpec& fur, const HairRandom& random, double cell, TexelBl
     }
 }
 
+/// A number of the cells of a square, row by row, chosen by random numbers.
+std::vector<int> chosen_cells(int count, int side, std::uint32_t seed) {
+    constexpr int choice = 5; // what the random numbers are for
+    std::vector<std::pair<double, int>> cells;
+    for (int i = 0; i < side * side; ++i)
+        cells.emplace_back(HairRandom{i / side, i % side, seed}(choice), i);
+    std::nth_element(cells.begin(), cells.begin() + (count - 1), cells.end());
+    std::vector<int> chosen;
+    for (int i = 0; i < count; ++i) chosen.push_back(cells[static_cast<std::size_t>(i)].second);
+    std::sort(chosen.begin(), chosen.end());
+    return chosen;
+}
+
 void fill(const TexelSpec& spec, const FurSpec& fur, TexelBlock& block) {
-    const double hairs = fur.hairs * fur.block * fur.block / 100;
-    const int side = std::max(1, static_cast<int>(std::lround(std::sqrt(hairs))));
-    for (int row = 0; row < side; ++row)
-        for (int column = 0; column < side; ++column)
-            add_hair(fur, {row, column, spec.seed}, fur.block / side, block);
+    const double stated = fur.hairs * fur.block * fur.block / 100;
+    const int hairs = std::max(1, static_cast<int>(std::lround(stated)));
+    const int side = static_cast<int>(std::ceil(std::sqrt(hairs)));
+    for (const int cell : chosen_cells(hairs, side, spec.seed))
+        add_hair(fur, {cell / side, cell % side, spec.seed}, fur.block / side, block);
 }
 
 /// Height of the middle of a thread above that of the cloth, and its slope, as shares of its swing;

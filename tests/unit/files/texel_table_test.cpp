@@ -89,6 +89,12 @@ TEST(TexelTable, RefusesWithLineColumnAndRange) {
         refused("kind = \"fur\"\nthickness = 5\nhairs = 30000"),
         "paints.toml:8:9: material[0].texels.hairs: are 120000 in a block of which it may have "
         "100000");
+    EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nhairs = 3\nblock = 5"),
+              "paints.toml:9:9: material[0].texels.block: a block has less than one hair: make it "
+              "larger");
+    EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nhairs = 0.2"),
+              "paints.toml:8:9: material[0].texels.hairs: a block has less than one hair: make it "
+              "larger");
     EXPECT_EQ(
         refused("kind = \"fur\"\nthickness = 5\ndiffuse = 0.7\nspecular = 0.4"),
         "paints.toml:9:12: material[0].texels.specular: reflects with diffuse more light than "

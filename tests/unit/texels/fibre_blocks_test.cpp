@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -33,6 +34,18 @@ TEST(FibreBlock, OfFurHidesTheWidthTimesTheLengthOfItsHairs) {
     EXPECT_NEAR(total(block, 0), expected, hairs * voxel * 0.05 / 4);
     for (int level = 1; level <= block.coarsest(); ++level)
         EXPECT_NEAR(total(block, level), total(block, 0), 1e-4 * expected) << level;
+}
+
+TEST(FibreBlock, HasTheStatedNumberOfHairsRoundedToAWholeOne) {
+    for (const auto& [hairs, laid] : {std::pair(60.0, 240), {2.4, 10}, {0.25, 1}}) {
+        TexelSpec spec;
+        spec.thickness = 12, spec.voxels = 32;
+        spec.fibres =
+            FurSpec{.hairs = hairs, .length = 10, .variation = 0, .width = 0.05, .block = 20};
+        const TexelBlock block = fibre_block(spec);
+        const double voxel = block.size().z / block.voxels()[2];
+        EXPECT_NEAR(total(block, 0) / (10 * 0.05), laid, laid * voxel / 4 / 10) << hairs;
+    }
 }
 
 TEST(FibreBlock, RepeatsAndKeepsItsSeed) {

@@ -40,9 +40,13 @@ FurSpec fur_from(const TomlTable& table, double thickness) {
     take_curl(table, fur);
     take(table, "block", sizes, fur.block);
     constexpr double most = 1e5; // in a block, so that it is laid within seconds
-    if (const double laid = fur.hairs * fur.block * fur.block / 100; laid > most)
+    const double laid = fur.hairs * fur.block * fur.block / 100;
+    if (laid > most)
         throw table.error("hairs", "are " + std::to_string(std::llround(laid)) +
                                        " in a block of which it may have 100000");
+    if (laid < 1)
+        throw table.error(table.has("block") ? "block" : "hairs",
+                          "a block has less than one hair: make it larger");
     return fur;
 }
 
