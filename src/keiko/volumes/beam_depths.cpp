@@ -57,15 +57,15 @@ std::vector<double> BeamDepths::along_line(const SceneVolumes& scene, const Volu
     const auto place = [&](int k) {
         return volume.scene_place(node(i, j, from_last_ ? nodes_[2] - 1 - k : k));
     };
-    const double reach = scene.reach_from(place(0));
-    Vec3 before = place(0) + towards * reach;
-    const double stop = stops ? stops(before, -towards) : std::numeric_limits<double>::infinity();
+    const Vec3 first = place(0);
     std::vector<double> depths(static_cast<std::size_t>(nodes_[2]), darkness);
-    double depth = 0, length = 0;
+    if (stops && std::isfinite(stops(first, towards))) return depths;
+    const double stop = stops ? stops(first, -towards) : std::numeric_limits<double>::infinity();
+    Vec3 before = first + towards * scene.reach_from(first);
+    double depth = 0;
     for (int k = 0; k < nodes_[2]; ++k) {
         const Vec3 here = place(k);
-        length += (here - before).length();
-        if (length > stop) break;
+        if ((here - first).length() > stop) break;
         depth += scene.optical_depth({before, here}, darkness - depth);
         if (depth >= darkness) break;
         depths[static_cast<std::size_t>(k)] = depth;

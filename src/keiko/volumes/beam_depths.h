@@ -10,8 +10,8 @@
 
 namespace keiko {
 
-/// Distance in mm along a ray of light, from a place in a unit direction, at which a surface stops
-/// it; infinite if none does. Empty: none ever does.
+/// Distance in mm from a place, in a unit direction, to the first surface, which stops light;
+/// infinite if there is none. Empty: none ever stops it.
 using StopOfLight = std::function<double(const Vec3& from, const Vec3& direction)>;
 
 /// How deep the places of a volume lie in the volumes of its scene, as seen from a parallel light.

@@ -252,6 +252,26 @@ TEST(CloudLight, IsHiddenBySurfaces) {
     EXPECT_NEAR(along_y(shaded, 95), along_y(free, 95), 1e-9);
 }
 
+TEST(CloudLight, IsHiddenBySurfacesFarAway) {
+    VolumeSpec spec;
+    spec.extinction.points = {{0, 10}};
+    spec.scattering = VolumeScattering();
+    const SceneVolumes scene = cube(spec);
+    LightRig rig;
+    rig.sources.push_back(Sun{.direction = Vec3(0, 0, -1), .illuminance = Rgb(1000)});
+    const auto light_under_plate_at = [&](double height) {
+        const StopOfLight plate = [&](const Vec3& from, const Vec3& way) {
+            const double t = (height - from.z) / way.z;
+            return t > 0 ? t : std::numeric_limits<double>::infinity();
+        };
+        return LitVolumes(scene, rig, plate).along({Vec3(50, -50, 50), Vec3(50, 150, 50)}).light.g;
+    };
+    const double free = light_under_plate_at(-1000); // ten cubes below
+    EXPECT_GT(free, 1);
+    EXPECT_LT(light_under_plate_at(1000), 1e-6 * free);
+    EXPECT_LT(light_under_plate_at(1e6), 1e-6 * free);
+}
+
 /// Sum of the lights at a place, each dimmed by a march of its own towards it.
 Rgb by_marches(const SceneVolumes& scene, const LightRig& rig, const VolumeScattering& scattering,
                const Vec3& place, const Vec3& to_viewer) {
