@@ -252,8 +252,9 @@ StopOfLight Integrator::stops_of_light() const {
 }
 
 LightsAt Integrator::light_on_texels() const {
-    return [this](const Vec3& place) {
-        return arriving_lights(rig_, lights_, glass_dims() ? &glass_ : nullptr, tubes_, place);
+    const GlassLoss straight(scene_.tracer, scene_.materials);
+    return [this, straight](const Vec3& place) {
+        return arriving_lights(rig_, lights_, glass_dims() ? &straight : nullptr, tubes_, place);
     };
 }
 
