@@ -1,6 +1,7 @@
 """Scenes with fur and cloth: what `keiko trace` and `keiko render` show of texels."""
 import csv
 import io
+import math
 import unittest
 
 from keiko_process import KeikoTest, surface
@@ -25,6 +26,19 @@ target = [0, 30, 0]
 size = [64, 36]
 """
 SUN = "[sun]\ndirection = [0, 0, -1]\nilluminance = 1000\n"
+VOXELS = """format = "keiko-voxels/1"
+raw = "cube.raw"
+nodes = [2, 2, 2]
+type = "uint8"
+origin = [-300, -300, 300]
+spacing = [600, 600, 600]
+"""
+DEPTH = 0.9
+CLOUD = f"""[[volume]]
+file = "voxels.toml"
+extinction = [[0, {DEPTH / 0.6}]] # 1/m
+emits = [[0, 0]]
+"""
 BALL_UNDER_LAMP = f"""[[model]]
 file = "{surface("rational-sphere.step")}"
 material = "solid-glass"
@@ -50,6 +64,14 @@ class Texels(KeikoTest):
         straight, bent = (self.light(FUR + BALL_UNDER_LAMP + more) for more in ("", "[caustics]\n"))
         self.assertGreater(sum(straight) / len(straight), 1)
         self.assertEqual(bent, straight)
+
+    def test_volumes_dim_the_light_that_arrives(self):
+        (self.folder / "cube.raw").write_bytes(b"\xff" * 8)
+        self.write("voxels.toml", VOXELS)
+        clear, dimmed = self.light(FUR + SUN), self.light(FUR + SUN + CLOUD)
+        self.assertGreater(sum(clear) / len(clear), 1)
+        for before, after in zip(clear, dimmed):
+            self.assertAlmostEqual(after, before * math.exp(-DEPTH), delta=1e-6 * before)
 
 
 if __name__ == "__main__":

@@ -253,8 +253,10 @@ StopOfLight Integrator::stops_of_light() const {
 
 LightsAt Integrator::light_on_texels() const {
     const GlassLoss straight(scene_.tracer, scene_.materials);
-    return [this, straight](const Vec3& place) {
-        return arriving_lights(rig_, lights_, glass_dims() ? &straight : nullptr, tubes_, place);
+    const MatterLoss matter(scene_.occluders ? scene_.volumes : nullptr, nullptr);
+    return [this, straight, matter](const Vec3& place) {
+        const LossBeforeTexels loss{glass_dims() ? &straight : nullptr, matter};
+        return arriving_lights(rig_, lights_, loss, tubes_, place);
     };
 }
 

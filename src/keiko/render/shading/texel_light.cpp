@@ -14,7 +14,7 @@ Vec3 middle_of(const PreparedSource& source, int lamp, const Vec3& place) {
 } // namespace
 
 std::vector<ArrivingLight> arriving_lights(const PreparedRig& rig, const DirectLighting& lights,
-                                           const GlassLoss* glass, TubeModel tubes,
+                                           const LossBeforeTexels& loss, TubeModel tubes,
                                            const Vec3& place) {
     std::vector<ArrivingLight> all;
     all.reserve(rig.lights.size());
@@ -28,8 +28,9 @@ std::vector<ArrivingLight> arriving_lights(const PreparedRig& rig, const DirectL
         const PointLighting lit(rig, place, light.towards, tubes, {&id, 1},
                                 lights.light_visibility(place, light.towards, {}, {&id, 1}, tubes));
         light.illuminance = lit.illuminance_by_light().front();
-        if (glass && light.illuminance != Rgb(0))
-            light.illuminance *= glass->left(source, id.lamp, place, {});
+        if (light.illuminance == Rgb(0)) continue;
+        if (loss.glass) light.illuminance *= loss.glass->left(source, id.lamp, place, {});
+        if (loss.matter.any()) light.illuminance *= loss.matter.left(source, id.lamp, place);
     }
     return all;
 }
