@@ -47,7 +47,8 @@ void add_hair(const FurSpec& fur, const HairRandom& random, double cell, TexelBl
     const Vec3 over(std::cos(azimuth), std::sin(azimuth), 0), aside(-over.y, over.x, 0);
     const double first_turn = 2 * pi * random(2);
     Vec3 middle((random.column + random(3)) * cell, (random.row + random(4)) * cell, 0);
-    const auto steps = static_cast<int>(std::ceil(3 * length / block.voxel()));
+    const double curl = 2 * pi * fur.curl_radius * fur.curl_turns; // mm, of its helix around
+    const auto steps = static_cast<int>(std::ceil(3 * (length + curl) / block.voxel()));
     const double step = length / steps;
     Vec3 before(0);
     for (int i = 0; i <= steps; ++i) {

@@ -92,6 +92,10 @@ TEST(TexelTable, RefusesWithLineColumnAndRange) {
     EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nhairs = 3\nblock = 5"),
               "paints.toml:9:9: material[0].texels.block: a block has less than one hair: make it "
               "larger");
+    EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nhairs = 1000\ncurl = { radius = 100, turns "
+                      "= 9 }"),
+              "paints.toml:8:9: material[0].texels.hairs: pass more than 10000000 voxels of a "
+              "block: take fewer, shorter or less curled ones");
     EXPECT_EQ(refused("kind = \"fur\"\nthickness = 5\nhairs = 0.2"),
               "paints.toml:8:9: material[0].texels.hairs: a block has less than one hair: make it "
               "larger");

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 namespace keiko {
@@ -34,6 +36,29 @@ TEST(FibreBlock, OfFurHidesTheWidthTimesTheLengthOfItsHairs) {
     EXPECT_NEAR(total(block, 0), expected, hairs * voxel * 0.05 / 4);
     for (int level = 1; level <= block.coarsest(); ++level)
         EXPECT_NEAR(total(block, level), total(block, 0), 1e-4 * expected) << level;
+}
+
+TEST(FibreBlock, OfCurledFurHidesAsMuchAsItsHelicesAreLong) {
+    TexelSpec spec;
+    spec.thickness = 12, spec.voxels = 32;
+    spec.fibres = FurSpec{.hairs = 100,
+                          .length = 10,
+                          .variation = 0,
+                          .width = 0.05,
+                          .lean = 0,
+                          .droop = 0,
+                          .curl_radius = 1,
+                          .curl_turns = 20,
+                          .block = 16};
+    constexpr int steps = 100000;
+    double length = 0; // of a helix that opens over its first fifth
+    for (int i = 0; i < steps; ++i) {
+        const double share = (i + 0.5) / steps, radius = std::min(1.0, 5 * share);
+        const double around = 2 * std::numbers::pi * 20 * radius, out = share < 0.2 ? 5 : 0;
+        length += std::sqrt(10 * 10 + around * around + out * out) / steps;
+    }
+    const double expected = 256 * length * 0.05;
+    EXPECT_NEAR(total(fibre_block(spec), 0), expected, 0.005 * expected);
 }
 
 TEST(FibreBlock, HasTheStatedNumberOfHairsRoundedToAWholeOne) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace keiko {
@@ -59,6 +60,23 @@ ClothSpec cloth_from(const TomlTable& table) {
     return cloth;
 }
 
+void take_voxels(const TomlTable& table, int& voxels) {
+    voxels = table.integer("voxels", 8, 128).value_or(voxels);
+    if (!std::has_single_bit(static_cast<unsigned>(voxels)))
+        throw table.error("voxels", "must be a power of two: 8, 16, 32, 64 or 128");
+}
+
+/// Throws Error if hairs pass so many voxels that they are not laid within seconds.
+void require_few_voxels(const TomlTable& table, const TexelSpec& texels, const FurSpec& fur) {
+    constexpr double most = 1e7;
+    const double length = fur.length + 2 * std::numbers::pi * fur.curl_radius * fur.curl_turns;
+    const double voxel = std::min(fur.block / texels.voxels, texels.thickness / 2);
+    if (fur.hairs * fur.block * fur.block / 100 * length / voxel > most)
+        throw table.error("hairs",
+                          "pass more than 10000000 voxels of a block: take fewer, shorter or "
+                          "less curled ones");
+}
+
 /// Throws Error at keys of the other kind of fibres.
 void require_none_of(const TomlTable& table, std::initializer_list<std::string_view> keys,
                      const std::string& kind) {
@@ -82,9 +100,9 @@ TexelSpec texels_from(const TomlTable& table) {
                         "fur");
         texels.fibres = cloth_from(table);
     }
-    texels.voxels = table.integer("voxels", 8, 128).value_or(texels.voxels);
-    if (!std::has_single_bit(static_cast<unsigned>(texels.voxels)))
-        throw table.error("voxels", "must be a power of two: 8, 16, 32, 64 or 128");
+    take_voxels(table, texels.voxels);
+    if (const auto* fur = std::get_if<FurSpec>(&texels.fibres))
+        require_few_voxels(table, texels, *fur);
     if (const auto seed = table.integer("seed", 0, 1 << 30))
         texels.seed = static_cast<std::uint32_t>(*seed);
     texels.diffuse = table.rgb("diffuse", TomlLimits::share()).value_or(texels.diffuse);
