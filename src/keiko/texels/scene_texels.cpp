@@ -1,5 +1,6 @@
 #include "keiko/texels/scene_texels.h"
 
+#include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
 #include "keiko/texels/fibre_blocks.h"
 
@@ -7,6 +8,7 @@
 #include <cmath>
 #include <memory>
 #include <optional>
+#include <string>
 
 namespace keiko {
 namespace {
@@ -16,6 +18,12 @@ struct TexelFace {
     std::uint32_t instance, face;
     std::size_t spec; ///< into the specifications
 };
+
+void warn_of(const ShellLattice& lattice, const SurfaceModel& model) {
+    if (lattice.limited)
+        log_warning("face " + std::to_string(model.faces[lattice.face].id) +
+                    ": its texels leave it by more than a hundredth of their thickness");
+}
 
 } // namespace
 
@@ -49,7 +57,10 @@ SceneTexels::SceneTexels(const SurfaceModel& model, std::span<const Material> ma
         const TexelFace& of = faces[i];
         shells[i].emplace(model, of.instance, of.face, *specs_[of.spec], blocks[of.spec]);
     });
-    for (std::optional<TexelShell>& shell : shells) shells_.push_back(std::move(*shell));
+    for (std::optional<TexelShell>& shell : shells) {
+        warn_of(shell->lattice(), model);
+        shells_.push_back(std::move(*shell));
+    }
 }
 
 std::vector<Box3> SceneTexels::boxes() const {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace keiko {
 namespace {
@@ -57,9 +58,24 @@ void each_bend(const ShellLattice& lattice, int axis, const Visit& visit) {
                   lattice.index(i + du, j + dv));
 }
 
-/// Cells along an axis that a coarse lattice of `now` cells calls for.
-int cells_for(const ShellLattice& coarse, int axis, int now, const ShellCells& limits) {
-    double bend = 0, longest = 0;
+/// mm by which the middle of a cell may be off its surface, since it is divided along a diagonal.
+double twist_of(const ShellLattice& lattice) {
+    double twist = 0;
+    for (int i = 0; i < lattice.cells_u; ++i)
+        for (int j = 0; j < lattice.cells_v; ++j)
+            for (const std::vector<Vec3>* nodes : {&lattice.foot, &lattice.top}) {
+                const auto node = [&](int u, int v) {
+                    return (*nodes)[lattice.index(i + u, j + v)];
+                };
+                const Vec3 mixed = node(0, 0) - node(1, 0) - node(0, 1) + node(1, 1);
+                twist = std::max(twist, mixed.length() / 4);
+            }
+    return twist;
+}
+
+/// Cells along an axis that a coarse lattice calls for.
+double cells_for(const ShellLattice& coarse, int axis, const ShellCells& limits) {
+    double bend = twist_of(coarse), longest = 0;
     each_bend(coarse, axis, [&](std::size_t a, std::size_t b, std::size_t c) {
         for (const std::vector<Vec3>* nodes : {&coarse.foot, &coarse.top}) {
             const Vec3 first = (*nodes)[b] - (*nodes)[a], second = (*nodes)[c] - (*nodes)[b];
@@ -69,7 +85,18 @@ int cells_for(const ShellLattice& coarse, int axis, int now, const ShellCells& l
         }
     });
     const double finer = std::max(std::sqrt(bend / limits.deviation), longest / limits.longest);
-    return std::clamp(static_cast<int>(std::ceil(now * finer)), 2, limits.most_along);
+    return std::max(2.0, std::ceil((axis == 0 ? coarse.cells_u : coarse.cells_v) * finer));
+}
+
+/// Cells along u and v of the coarse lattice, by which no knot span is stepped over.
+std::pair<int, int> coarse_cells(const PatchGrid& grid, const ShellCells& limits) {
+    constexpr int fewest = 16, in_span = 4;
+    const Box2 domain = grid.domain();
+    const auto cells = [&](const Vec2& end) { // along a border from the lower corner
+        const int spans = grid.lines_through({domain.lower, end}) + 1;
+        return std::min(std::max(fewest, in_span * spans), limits.most_along);
+    };
+    return {cells({domain.upper.x, domain.lower.y}), cells({domain.lower.x, domain.upper.y})};
 }
 
 } // namespace
@@ -88,11 +115,14 @@ ShellLattice shell_lattice(const SurfaceModel& model, std::uint32_t instance, st
                            double thickness, const ShellCells& cells) {
     const PatchGrid grid(model, model.faces[face]);
     const SampledFace sampled{model, grid, instance};
-    constexpr int coarse = 16;
-    ShellLattice lattice{instance, face, coarse, coarse, grid.domain()};
+    const auto [coarse_u, coarse_v] = coarse_cells(grid, cells);
+    ShellLattice lattice{instance, face, coarse_u, coarse_v, grid.domain()};
     sample(sampled, thickness, lattice);
-    const int u = cells_for(lattice, 0, coarse, cells), v = cells_for(lattice, 1, coarse, cells);
-    lattice.cells_u = u, lattice.cells_v = v;
+    const double u = cells_for(lattice, 0, cells), v = cells_for(lattice, 1, cells);
+    const double most = cells.most_along;
+    lattice.limited = std::max(u, v) > most;
+    lattice.cells_u = static_cast<int>(std::min(u, most));
+    lattice.cells_v = static_cast<int>(std::min(v, most));
     sample(sampled, thickness, lattice);
     return lattice;
 }

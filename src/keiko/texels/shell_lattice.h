@@ -16,6 +16,7 @@ struct ShellLattice {
     std::uint32_t instance = 0, face = 0; ///< into the model's arrays
     int cells_u = 1, cells_v = 1;         ///< of the lattice
     Box2 domain{};                        ///< face parameters of all of it
+    bool limited = false;                 ///< its cells are longer or deviate more than they should
     std::vector<Vec3> foot{}, top{};      ///< mm, in the scene, v fastest
 
     /// Index of a node.
@@ -34,7 +35,7 @@ struct ShellLattice {
 /// Limits of the cells of a shell.
 struct ShellCells {
     double longest = 1000;  ///< mm, of an edge
-    double deviation = 0.1; ///< mm, of edges from the surface, and from the surface above it
+    double deviation = 0.1; ///< mm, of cells from the surface, and from the surface above it
     int most_along = 256;   ///< cells along u or v: beyond them cells are longer, and deviate more
 };
 

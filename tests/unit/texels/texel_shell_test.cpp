@@ -75,6 +75,41 @@ TEST(TexelShell, OfABallHasTheChordsBetweenTwoSpheres) {
     }
 }
 
+TEST(TexelShell, FollowsASurfaceOfStraightLinesThatIsTwisted) {
+    test::ModelBuilder builder; // z = x y / 100, with x and y from 0 to 200 mm
+    builder.patch(1, 1, {Vec3(0), Vec3(0, 200, 0), Vec3(200, 0, 0), Vec3(200, 200, 400)});
+    const TexelSpec spec = short_fur(5);
+    const TexelShell shell = shell_of(builder.build(), spec);
+    EXPECT_FALSE(shell.lattice().limited);
+    for (double x = 41.7; x < 160; x += 5.3) {
+        const double y = 201.3 - x, foot = x * y / 100;
+        const auto runs = shell.runs({Vec3(x, y, foot + 100), Vec3(x, y, foot - 100)});
+        ASSERT_FALSE(runs.empty());
+        EXPECT_NEAR(runs.back().end, 100, 0.06 * 2.5) << x; // in z: its slope is below 2.3
+    }
+}
+
+TEST(TexelShell, StepsOverNoKnotSpan) {
+    NurbsSurface waves; // 200 quadratic spans along u, 10 mm high, 10 mm long
+    waves.degree_u = 2, waves.degree_v = 1;
+    constexpr int points = 202;
+    waves.knots_u = {0, 0};
+    for (int i = 0; i <= points - 2; ++i) waves.knots_u.push_back(i);
+    waves.knots_u.insert(waves.knots_u.end(), 2, points - 2);
+    waves.knots_v = {0, 0, 1, 1};
+    for (int i = 0; i < points; ++i)
+        for (const double y : {0.0, 100.0}) {
+            const bool inside = i > 77 && i < 83;
+            waves.points.emplace_back(5.0 * i, y, inside ? (i % 2 ? 10.0 : -10.0) : 0, 1);
+        }
+    test::ModelBuilder builder;
+    builder.nurbs(waves);
+    const TexelSpec spec = short_fur(5);
+    const TexelShell shell = shell_of(builder.build(), spec);
+    EXPECT_EQ(shell.lattice().cells_u, 256);
+    EXPECT_TRUE(shell.lattice().limited);
+}
+
 TEST(TexelShell, EndsAtTrimCurves) {
     test::ModelBuilder builder;
     builder.plane(Vec3(0), Vec3(400, 0, 0), Vec3(0, 400, 0));
