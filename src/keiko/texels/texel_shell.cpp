@@ -173,12 +173,11 @@ double TexelShell::depth_outwards(const ShellPart& part, const Vec3& in_cell, co
     end_at_side(part.cell_u + in_cell.x, change.x, lattice_.cells_u);
     end_at_side(part.cell_v + in_cell.y, change.y, lattice_.cells_v);
     if (!(length > 0)) return 0;
-    const double step = this->step(level);
-    const double count = std::ceil(length / step);
-    constexpr double farthest = 256; // steps, for light that grazes a face without much on it
+    constexpr double most_steps = 256; // longer ones for light that grazes a face
+    const double count = std::min(std::ceil(length / step(level)), most_steps);
     const double part_step = length / count;
     double depth = 0;
-    for (double i = 0; i < std::min(count, farthest) && depth < most; ++i) {
+    for (double i = 0; i < count && depth < most; ++i) {
         const Vec3 at = in_cell + change * ((i + 0.5) * part_step);
         depth += block_->at(block_place(part, at), level).extinction * part_step;
     }

@@ -110,6 +110,26 @@ TEST(TexelShell, StepsOverNoKnotSpan) {
     EXPECT_TRUE(shell.lattice().limited);
 }
 
+TEST(TexelShell, IsAsDeepOutwardsAsAlongTheWholeWayOutHoweverSmallItsVoxels) {
+    test::ModelBuilder builder;
+    builder.plane(Vec3(0), Vec3(100, 0, 0), Vec3(0, 100, 0));
+    Material fur;
+    TexelSpec spec;
+    spec.fibres = FurSpec{.hairs = 1000, .width = 0.02, .block = 2};
+    fur.texels = spec; // 20 mm of voxels of 0.03 mm
+    const SceneTexels texels(builder.build(), std::vector{fur});
+    double outwards = 0, whole = 0;
+    for (double x = 40; x < 60; x += 0.37) {
+        const Segment down{Vec3(x, 48.7, 30), Vec3(x, 48.7, 0)};
+        const ShellRun run = texels.shells().front().runs(down).back();
+        outwards += texels.shells().front().depth_outwards(*run.part, run.at(run.end),
+                                                           Vec3(0, 0, 1), 1, 1e3);
+        whole += texels.optical_depth(down, 1e3);
+    }
+    EXPECT_GT(whole, 1);
+    EXPECT_NEAR(outwards / whole, 1, 0.02);
+}
+
 TEST(TexelShell, EndsAtTrimCurves) {
     test::ModelBuilder builder;
     builder.plane(Vec3(0), Vec3(400, 0, 0), Vec3(0, 400, 0));
