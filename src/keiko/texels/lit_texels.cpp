@@ -93,7 +93,9 @@ Rgb LitTexels::luminance(const Seen& seen, const Vec3& fibre,
     const TexelSpec& spec = shell.spec();
     const int coarser = std::min(seen.level + 1, shell.block().coarsest());
     const auto arrives = [&](const Vec3& towards) {
-        return std::exp(-shell.depth_outwards(seen.part, seen.in_cell, towards, coarser, darkness));
+        const double depth =
+            shell.depth_outwards(seen.part, seen.in_cell, towards, coarser, darkness);
+        return depth < darkness ? std::exp(-depth) : 0;
     };
     Rgb sum;
     for (const ArrivingLight& light : lights) {

@@ -131,6 +131,14 @@ TEST(LitTexels, AreNotSteppedOverByWideRays) {
     }
 }
 
+TEST(LitTexels, HaveNoLightThroughTheirBody) {
+    const SceneTexels texels = plate_with(fur_of(60));
+    const LitTexels lit(texels, light_from(Vec3(0.3, 0, -1), 1e6), Rgb(0));
+    const FrontToBack sum = sum_of(lit.along({Vec3(200, 180, 40), Vec3(195, 215, 0)}, {}));
+    EXPECT_GT(sum.opacity, 0);
+    EXPECT_EQ(sum.light, Rgb(0));
+}
+
 TEST(LitTexels, KeepTheOrderOfLayersAlongARay) {
     test::ModelBuilder builder;
     builder.plane(Vec3(0), Vec3(100, 0, 0), Vec3(0, 100, 0));
