@@ -1,6 +1,5 @@
 #include "keiko/texels/fibre_blocks.h"
 
-#include "keiko/light/luminance/photometry.h"
 #include "keiko/maps/lattice_noise.h"
 
 #include <algorithm>

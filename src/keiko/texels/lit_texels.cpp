@@ -113,21 +113,15 @@ Rgb LitTexels::luminance(const Seen& seen, const Vec3& fibre,
 void LitTexels::add_run(std::size_t number, const ShellRun& run, const Vec3& to_viewer, int level,
                         FrontToBack& sum) const {
     const TexelShell& shell = texels_.shells()[number];
-    // Wide rays, whose voxels may be longer than the shell is thick, have several samples in it.
-    const double step = std::min(shell.step(level), shell.spec().thickness / 8);
     std::optional<std::vector<ArrivingLight>> lights;
-    // Samples of all runs lie in the same steps from 0 on, so that none is there twice.
-    for (double k = std::ceil(run.begin / step - 0.5); (k + 0.5) * step < run.end; ++k) {
-        const Vec3 at = run.at((k + 0.5) * step);
-        const Fibres fibres = shell.fibres(*run.part, at, level);
-        if (!(fibres.extinction > 0) || !shell.is_material(*run.part, at)) continue;
+    shell.each_sample(run, level, [&](const Vec3& at, const Fibres& fibres, double step) {
         if (!lights) lights = lights_in(number, *run.part, run.at((run.begin + run.end) / 2));
         const double length = fibres.direction.length();
         const Vec3 fibre = length > 0 ? fibres.direction / length : run.part->axes[2];
         sum.add(luminance({number, *run.part, at, to_viewer, level}, fibre, *lights),
                 opacity_of_depth(fibres.extinction * step));
-        if (sum.opacity > opaque) return;
-    }
+        return sum.opacity <= opaque;
+    });
 }
 
 std::vector<TexelLayer> LitTexels::along(const Segment& segment,

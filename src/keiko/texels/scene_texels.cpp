@@ -2,10 +2,10 @@
 
 #include "keiko/base/log.h"
 #include "keiko/base/parallel.h"
+#include "keiko/math/reach.h"
 #include "keiko/texels/fibre_blocks.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
@@ -70,10 +70,7 @@ std::vector<Box3> SceneTexels::boxes() const {
 }
 
 double SceneTexels::reach_from(const Vec3& place) const {
-    double reach = 0;
-    for (const Box3& box : boxes())
-        reach = std::max(reach, (box.center() - place).length() + box.size());
-    return reach;
+    return keiko::reach_from(place, boxes());
 }
 
 double SceneTexels::optical_depth(const Segment& segment, double most) const {
@@ -81,15 +78,13 @@ double SceneTexels::optical_depth(const Segment& segment, double most) const {
     double depth = 0;
     for (const TexelShell& shell : shells_) {
         const int coarse = std::min(level, shell.block().coarsest());
-        const double step = shell.step(coarse);
-        for (const ShellRun& run : shell.runs(segment))
-            for (double k = std::ceil(run.begin / step - 0.5); (k + 0.5) * step < run.end; ++k) {
-                const Vec3 at = run.at((k + 0.5) * step);
-                const double extinction = shell.fibres(*run.part, at, coarse).extinction;
-                if (!(extinction > 0) || !shell.is_material(*run.part, at)) continue;
-                depth += extinction * step;
-                if (depth > most) return depth;
-            }
+        for (const ShellRun& run : shell.runs(segment)) {
+            shell.each_sample(run, coarse, [&](const Vec3&, const Fibres& fibres, double length) {
+                depth += fibres.extinction * length;
+                return depth <= most;
+            });
+            if (depth > most) return depth;
+        }
     }
     return depth;
 }

@@ -8,7 +8,9 @@
 #include "keiko/texels/shell_lattice.h"
 #include "keiko/texels/texel_block.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -72,6 +74,19 @@ public:
     bool is_material(const ShellPart& part, const Vec3& in_cell) const;
     /// Fibres at a place of a cell, with their direction in the scene.
     Fibres fibres(const ShellPart& part, const Vec3& in_cell, int level) const;
+    /// Calls `visit` at each sample of a run that has fibres, with its place of the cell, them and
+    /// its length in mm, until it returns false. Samples of all runs lie in the same steps from 0
+    /// on, so that none is there twice. At coarse levels, too, they lie closely in the shell.
+    template <class Visit>
+    void each_sample(const ShellRun& run, int level, const Visit& visit) const {
+        const double length = std::min(step(level), spec_->thickness / 8);
+        for (double k = std::ceil(run.begin / length - 0.5); (k + 0.5) * length < run.end; ++k) {
+            const Vec3 at = run.at((k + 0.5) * length);
+            const Fibres found = fibres(*run.part, at, level);
+            if (!(found.extinction > 0) || !is_material(*run.part, at)) continue;
+            if (!visit(at, found, length)) return;
+        }
+    }
     /// Optical depth from a place of a cell out of the shell, along a unit direction. The cell goes
     /// on as it is. It ends where it is more than `most`.
     double depth_outwards(const ShellPart& part, const Vec3& in_cell, const Vec3& towards,

@@ -109,6 +109,7 @@ CloudView::CloudView(const CloudLight& light, const Vec3& to_viewer) : light_(&l
     for (const ParallelLight& part : light.surroundings_)
         of_surroundings_.push_back(scattered(part));
     cell_.fill(std::numeric_limits<std::size_t>::max());
+    logarithms_.fill(Vec3(0));
 }
 
 void CloudView::sum_surroundings(const GridCell& cell) {

@@ -69,7 +69,7 @@ private:
     const CloudLight* light_;
     std::vector<Rgb> of_suns_, of_surroundings_; ///< cd/m2, where nothing dims them
     std::array<std::size_t, 3> cell_;            ///< whose corners were summed up last
-    std::array<Vec3, 8> logarithms_{};           ///< of the sums at the corners, x fastest
+    std::array<Vec3, 8> logarithms_;             ///< of the sums at the corners, x fastest
 };
 
 } // namespace keiko

@@ -1,5 +1,6 @@
 #include "keiko/volumes/scene_volumes.h"
 
+#include "keiko/math/reach.h"
 #include "keiko/volumes/ray_samples.h"
 
 namespace keiko {
@@ -15,10 +16,7 @@ std::vector<Box3> SceneVolumes::boxes() const {
 }
 
 double SceneVolumes::reach_from(const Vec3& place) const {
-    double reach = 0;
-    for (const Box3& box : boxes())
-        reach = std::max(reach, (box.center() - place).length() + box.size());
-    return reach;
+    return keiko::reach_from(place, boxes());
 }
 
 double SceneVolumes::optical_depth(const Segment& segment, double most) const {
