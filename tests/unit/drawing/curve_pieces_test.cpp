@@ -5,10 +5,12 @@
 #include "tests/support/long_run.h"
 #include "tests/support/paths.h"
 #include "tests/support/piece_rays.h"
+#include "tests/support/shapes.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 #include <span>
 #include <string>
 
@@ -66,6 +68,42 @@ TEST_P(CurvePieces, AgreeWithQuantitativeInvisibility) {
             EXPECT_LT(off, 1e-3) << name_of(curve->kind) << " of face " << curve->faces[0].face;
         }
     }
+}
+
+/// A curve below two plates with a slit between them, which ends, or begins, just behind the slit.
+/// Lengths are millionths of the plates' diagonal.
+std::vector<CurvePiece> behind_slit(double slit, double beyond, bool begins) {
+    constexpr double half = 50;
+    const double unit = 2e-6 * std::numbers::sqrt2 * half;
+    const SurfaceModel plates =
+        test::ShapeBuilder()
+            .face({test::rectangle(-half, 0, -half, half, 0)})
+            .face({test::rectangle(slit * unit, slit * unit + half, -half, half, 0)})
+            .model();
+    const Camera above =
+        test::camera_along(Projection::orthographic, {0, 0, 100}, {0, 0, -1}, {0, 1, 0});
+    const test::DrawnBody body(plates, above);
+    ModelCurve curve;
+    curve.kind = CurveKind::section;
+    curve.course.points = {Vec3(-half / 2, 1, -10), Vec3((slit + beyond) * unit, 1, -10)};
+    if (begins) std::reverse(curve.course.points.begin(), curve.course.points.end());
+    EXPECT_TRUE(body.sight.visible(Vec3(slit * unit / 2, 1, -10), curve));
+    const std::vector<CountChange> changes = body.image.along(curve);
+    EXPECT_EQ(changes.size(), 2u);
+    return pieces_by_rays(curve, changes, body.sight);
+}
+
+TEST(CurvePiecesBehindSlits, AreHiddenWhereLinesOfSightCannotTellThemFromTheSlit) {
+    for (const bool begins : {false, true})
+        for (const double beyond : {2.3, 2.6, 2.9}) {
+            const auto pieces = behind_slit(2, beyond, begins);
+            EXPECT_EQ(pieces.size(), 1u) << beyond;
+            EXPECT_FALSE(pieces.front().visible) << beyond;
+        }
+}
+
+TEST(CurvePiecesBehindSlits, ShowInWiderSlits) {
+    for (const bool begins : {false, true}) EXPECT_EQ(behind_slit(9, 9, begins).size(), 3u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Fixtures, CurvePieces,

@@ -27,21 +27,30 @@ double length_of(const CurveCourse& course, double begin, double end) {
     return length + (course.at(end) - last).length();
 }
 
+/// Changes as if all that follow one within a distance of it, mm along the curve, were at its
+/// place.
+std::vector<CountChange> merged(std::span<const CountChange> changes, const CurveCourse& course,
+                                double distance) {
+    std::vector<CountChange> merged;
+    for (const CountChange& change : changes)
+        if (!merged.empty() && length_of(course, merged.back().t, change.t) <= distance)
+            merged.back().change += change.change;
+        else
+            merged.push_back(change);
+    return merged;
+}
+
 /// Stretches of a curve, none shorter than what a line of sight can tell apart. Changes nearer to
 /// each other than that count as one, those at the ends of the curve as none.
 std::vector<Stretch> stretches_of(const ModelCurve& curve, std::span<const CountChange> changes,
                                   double size) {
-    const double shortest = nearest_places * size;
-    std::vector<Stretch> stretches{{0, curve.course.end()}};
-    for (const CountChange& change : changes) {
-        Stretch& last = stretches.back();
-        if (length_of(curve.course, last.begin, change.t) <= shortest) {
-            if (last.begin > 0) last.change += change.change;
-            continue;
-        }
-        if (length_of(curve.course, change.t, curve.course.end()) <= shortest) break;
-        last.end = change.t;
-        stretches.push_back({change.t, curve.course.end(), change.change});
+    const double shortest = nearest_places * size, end = curve.course.end();
+    std::vector<Stretch> stretches{{0, end}};
+    for (const CountChange& change : merged(changes, curve.course, shortest)) {
+        if (length_of(curve.course, 0, change.t) <= shortest) continue;
+        if (length_of(curve.course, change.t, end) <= shortest) break;
+        stretches.back().end = change.t;
+        stretches.push_back({change.t, end, change.change});
     }
     return stretches;
 }
@@ -54,19 +63,51 @@ public:
     /// Adds a stretch without a known change. Rays at places of it look for what the search for
     /// changes has missed.
     void add(const Stretch& stretch) {
-        std::vector<CurvePiece> runs = runs_of(stretch);
-        if (runs.size() == 1) return append(runs.front());
-        for (CurvePiece& run : runs) {
-            // One ray may hit the seam of a border that it passes. A run of such is none.
-            const double middle = (run.begin + run.end) / 2;
-            const bool visible = sight_.visible(curve_.course.at(middle), curve_);
-            if (visible || !shows_at(middle)) run.visible = visible;
-            append(run);
+        std::vector<Run> runs = runs_of(stretch);
+        for (Run& run : runs) {
+            if (runs.size() > 1) test_middle(run.piece);
+            runs_.push_back(run);
         }
     }
-    std::vector<CurvePiece> take() { return std::move(pieces_); }
+
+    /// The pieces of all stretches that were added.
+    std::vector<CurvePiece> take() {
+        for (std::size_t i = 1; i < runs_.size(); ++i) settle(runs_[i], runs_[i - 1], runs_[i]);
+        for (std::size_t i = runs_.size(); i-- > 1;) settle(runs_[i - 1], runs_[i], runs_[i]);
+        std::vector<CurvePiece> pieces;
+        for (const auto& [piece, change, decided] : runs_)
+            if (!pieces.empty() && pieces.back().visible == piece.visible &&
+                pieces.back().contour == piece.contour)
+                pieces.back().end = piece.end;
+            else
+                pieces.push_back(piece);
+        return pieces;
+    }
 
 private:
+    /// Neighbouring places of a stretch of one class.
+    struct Run {
+        CurvePiece piece;
+        int change = 0;      ///< sum of the known changes at its begin
+        bool decided = true; ///< by a ray
+    };
+
+    /// A run that no ray decides is as a neighbour if the changes between both add up to 0. So is
+    /// the end of a curve behind the edge of a slit that is narrower than the places that lines of
+    /// sight can tell apart. `later`: the second of both.
+    static void settle(Run& run, const Run& neighbour, const Run& later) {
+        if (run.decided || !neighbour.decided || later.change != 0) return;
+        run.piece.visible = neighbour.piece.visible;
+        run.decided = true;
+    }
+
+    /// Tests a run again in its middle: one ray may hit the seam of a border that it passes.
+    void test_middle(CurvePiece& run) const {
+        const double middle = (run.begin + run.end) / 2;
+        const bool visible = sight_.visible(curve_.course.at(middle), curve_);
+        if (visible || !shows_at(middle)) run.visible = visible;
+    }
+
     /// True where the curve is visible, or a place beside it: of edges that coincide in the image,
     /// rounding alone hides one behind the border of the other.
     bool shows_at(double t) const {
@@ -74,17 +115,19 @@ private:
         return sight_.visible(place, curve_) || sight_.visible_beside(place, curve_);
     }
 
-    /// Neighbouring places of a stretch of one class. Halving finds where it changes.
-    std::vector<CurvePiece> runs_of(const Stretch& stretch) const {
+    /// The runs of a stretch. Halving finds where one ends. One that no ray decides is visible.
+    std::vector<Run> runs_of(const Stretch& stretch) const {
         const bool contour = curve_.is_contour_edge(stretch.middle(), sight_.projection());
         const std::vector<Probe> probes = probes_of(stretch);
-        double last = probes.front().t;
-        std::vector<CurvePiece> runs{{stretch.begin, stretch.end, probes.front().visible, contour}};
+        const bool decided = !probes.empty(), visible = !decided || probes.front().visible;
+        std::vector<Run> runs{
+            {{stretch.begin, stretch.end, visible, contour}, stretch.change, decided}};
+        double last = stretch.begin;
         for (const Probe& probe : probes) {
-            const bool visible = runs.back().visible;
-            if (probe.visible != visible) {
-                runs.back().end = change_between(last, probe.t, visible);
-                runs.push_back({runs.back().end, stretch.end, probe.visible, contour});
+            CurvePiece& run = runs.back().piece;
+            if (probe.visible != run.visible) {
+                run.end = change_between(last, probe.t, run.visible);
+                runs.push_back({{run.end, stretch.end, probe.visible, contour}});
             }
             last = probe.t;
         }
@@ -99,8 +142,8 @@ private:
     /// Rays that look for changes within a stretch, in order: at its middle, at the points of the
     /// curve in it, and ever more towards its ends. Changes that the search misses are those of
     /// nearly tangent images, which lie beside contacts at any scale. A place that another
-    /// face hides, and beside which the curve is visible, decides nothing. Without any that does
-    /// the stretch is visible.
+    /// face hides, and beside which the curve is visible, decides nothing. Empty without any that
+    /// does.
     std::vector<Probe> probes_of(const Stretch& stretch) const {
         std::vector<double> places = inner_places(stretch);
         const std::size_t inner = places.size();
@@ -120,7 +163,6 @@ private:
             if (decides) probes.push_back({places[i], found[i].visible});
             if (decides && none) return probes;
         }
-        if (probes.empty()) return {{places[0], true}};
         std::sort(probes.begin(), probes.end(),
                   [](const Probe& a, const Probe& b) { return a.t < b.t; });
         return probes;
@@ -176,17 +218,9 @@ private:
         return a;
     }
 
-    void append(const CurvePiece& piece) {
-        if (!pieces_.empty() && pieces_.back().visible == piece.visible &&
-            pieces_.back().contour == piece.contour)
-            pieces_.back().end = piece.end;
-        else
-            pieces_.push_back(piece);
-    }
-
     const ModelCurve& curve_;
     const SightTest& sight_;
-    std::vector<CurvePiece> pieces_;
+    std::vector<Run> runs_;
 };
 
 } // namespace
