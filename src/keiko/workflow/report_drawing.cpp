@@ -16,20 +16,23 @@ namespace {
 /// Share of the body's size between curves and chords: a fifth of a pixel of the page.
 constexpr double chord_error = 2e-4;
 
-/// Patches of a body, as often as they are placed, above which a drawing takes more than seconds.
-constexpr std::size_t most_patches = 1000;
-
-std::size_t placed_patches(const SurfaceModel& model) {
-    std::size_t count = 0;
-    for (const PlacedFace& face : placed_faces(model)) count += model.faces[face.face].patch_count;
-    return count;
-}
+/// Faces of a body, as often as they are placed, above which drawing three views takes one core
+/// more than some ten seconds: up to 25 ms a face, whatever its number of patches.
+constexpr std::size_t most_faces = 500;
 
 } // namespace
 
+std::string drawing_remark(const SurfaceModel& model) {
+    const std::size_t faces = placed_faces(model).size();
+    if (faces <= most_faces) return "";
+    return "No line drawing: of more than " + std::to_string(most_faces) +
+           " faces it would hold up the report, and this body has " + std::to_string(faces) +
+           "; keiko draw makes one.";
+}
+
 std::string report_drawing(const Scene& scene, std::span<const Check> findings, double join,
                            const Job& job) {
-    if (placed_patches(scene.model) > most_patches) return "";
+    if (const std::string remark = drawing_remark(scene.model); !remark.empty()) return remark;
     JobSteps steps(job, 1 + static_cast<double>(three_views().size()));
     const LineBody body(scene.model, scene.tracer, {.join = join, .chord_error = chord_error},
                         steps.next(1, 2));

@@ -44,6 +44,17 @@ TEST(ReportHtml, TheDrawingIsTheFirstPictureBesideTheStripesAndLeadsToTheFinding
     EXPECT_NE(html.find("<tr id=\"finding-1\""), std::string::npos);
 }
 
+TEST(ReportHtml, ASentenceStandsWhereTheDrawingWouldBe) {
+    Report large = report();
+    large.drawing = "No line drawing: too many <faces>.";
+    const std::string html = report_html(large);
+    const std::size_t heading = html.find("<h2>Reflections</h2>");
+    const std::size_t at = html.find("No line drawing: too many &lt;faces&gt;.");
+    ASSERT_NE(at, std::string::npos);
+    EXPECT_LT(heading, at);
+    EXPECT_LT(at, html.find("<img", heading));
+}
+
 TEST(ReportHtml, NotesStandWithTheirPlaces) {
     Report noted = report();
     EXPECT_EQ(report_html(noted).find(">Notes<"), std::string::npos);

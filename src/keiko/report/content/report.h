@@ -73,7 +73,7 @@ struct Report {
     Triage triage;                           ///< of whole_inspection()
     /// Zebra in the standing views by which the first faults are ordered.
     std::vector<ReportPicture> standing_pictures;
-    /// Line drawing of the body with the numbers of the findings, SVG; empty: none.
+    /// Line drawing with the findings' numbers, SVG, or a sentence why there is none; or empty.
     std::string drawing;
     std::vector<ReportPicture> pictures;      ///< stripe pictures, in order
     std::vector<ReportPicture> line_pictures; ///< stripe pictures with the lines

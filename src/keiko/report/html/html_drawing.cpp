@@ -1,4 +1,5 @@
 #include "keiko/report/html/html_sections.h"
+#include "keiko/report/markup/html_text.h"
 
 namespace keiko {
 
@@ -16,6 +17,8 @@ tr:target td { background: var(--tint); }
 
 std::string html_drawing(const Report& report) {
     if (report.drawing.empty()) return "";
+    if (!report.drawing.starts_with("<svg"))
+        return "<p class=\"soft small\">" + html_escaped(report.drawing) + "</p>\n";
     const bool marked = !whole_inspection(report).findings.empty();
     std::string caption = "Outlines, edges and seams of the exact surface, hidden ones dashed.";
     if (marked)

@@ -24,7 +24,7 @@ std::string html_scope(const Report& report);
 std::string html_pictures(const Report& report);
 /// Style of html_drawing, for the page's style sheet.
 extern const std::string_view drawing_style;
-/// The line drawing, whose marks lead to rows of html_findings; empty without one.
+/// The line drawing, whose marks lead to rows of html_findings, or why there is none.
 std::string html_drawing(const Report& report);
 /// A picture with its markers.
 std::string html_figure(const ReportPicture& picture);
