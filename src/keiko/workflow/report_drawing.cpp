@@ -17,7 +17,7 @@ namespace {
 constexpr double chord_error = 2e-4;
 
 /// Faces of a body, as often as they are placed, above which drawing three views takes one core
-/// more than some ten seconds: up to 25 ms a face, whatever its number of patches.
+/// more than some ten seconds: 13 to 25 ms a face. Their number of patches matters less.
 constexpr std::size_t most_faces = 500;
 
 } // namespace

@@ -3,6 +3,7 @@
 #include "keiko/base/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <utility>
@@ -12,6 +13,8 @@ namespace {
 
 /// Distance from an end of the curve, of the body's size, within which nothing is pierced.
 constexpr double at_end = 1e-5;
+/// Length of the way to an end that may run within the gap of a seam, in at_end and gap.
+constexpr double flattest = 100;
 /// Parameters of the curve within which piercings of a face are one.
 constexpr double same_piercing = 1e-9;
 
@@ -68,17 +71,24 @@ private:
         return std::find(curve_.faces.begin(), curve_.faces.end(), face) != curve_.faces.end();
     }
 
-    bool is_at_end(const Vec3& place) const {
+    /// True for a hit at an end of the curve: near it, or so flat that the end itself is no deeper
+    /// below the face than the curve may lie beside its own. Faces that overlap by the gap of
+    /// their seam are pierced so by the edges that end on it, and hide nothing.
+    bool is_at_end(const Hit& hit) const {
         const std::vector<Vec3>& points = curve_.course.points;
-        return (place - points.front()).length() <= end_ ||
-               (place - points.back()).length() <= end_;
+        const auto ends_at = [&](const Vec3& end) {
+            const Vec3 way = end - hit.position;
+            return way.length() <= end_ || (way.length() <= flattest * end_ &&
+                                            std::abs(way.dot(hit.normal)) <= curve_.reach);
+        };
+        return ends_at(points.front()) || ends_at(points.back());
     }
 
     /// The piercing near a hit of the chord that begins at a point of the curve, by ever shorter
     /// chords about it. Those of a level cover a whole chord of the level before to either side: a
     /// flat crossing of the exact curve may lie that far from the chord's.
     std::optional<Piercing> refined(const Hit& hit, double begin) const {
-        if (is_own(hit) || is_at_end(hit.position)) return std::nullopt;
+        if (is_own(hit) || is_at_end(hit)) return std::nullopt;
         Piercing found{begin + hit.t, hit.normal};
         constexpr int levels = 8, chords = 8; // chords then deviate less than rounding
         double length = 1;
