@@ -146,6 +146,14 @@ error = 0.5
             self.assertAlmostEqual(float(one["reflected"]), float(new["reflected"]),
                                    delta=5e-3 * float(new["reflected"]))
 
+    def test_a_command_with_a_solution_tells_that_it_computes_no_factors(self):
+        rows = self.solve().split(" rows of form factors")[0].split()[-1]
+        for command, more in (("illuminance", ()), ("render", ("--shadows", "--size", "8x8", "-o", "a.png"))):
+            run = self.keiko(command, "scene.toml", "--solution", "a.solution", "--verbose", *more, input=POINTS)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertRegex(run.stderr, rf"a\.solution: \d+ elements, {rows} rows of form factors, "
+                                         "of which none is computed anew")
+
     def test_what_is_left_out_is_told(self):
         mapped = SPHERE.replace("refractive_index = 1 }", 'refractive_index = 1, map = '
                                 '[{ drives = "diffuse", low = 0.5, texture = { kind = "checker", size = 100 } }] }')

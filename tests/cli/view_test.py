@@ -489,6 +489,86 @@ class Against(ViewTest):
         self.assertIn("none.step", run.stderr)
 
 
+class Reflected(ViewTest):
+    """Pictures with the light of a solution."""
+
+    LIT = """format = "keiko-scene/1"
+[[primitive]]
+kind = "box"
+origin = [-300, -200, 0]
+u = [600, 0, 0]
+v = [0, 400, 0]
+w = [0, 0, 300]
+material = { diffuse = 0.7, refractive_index = 1 }
+[[primitive]]
+kind = "plane"
+origin = [-1500, -1500, 0]
+u = [3000, 0, 0]
+v = [0, 3000, 0]
+material = { diffuse = 0.7, refractive_index = 1 }
+[radiosity]
+element = 800
+rays = 64
+""" + ROW + (CAMERA % SIZE).replace("560, 0, 720", "0, 0, 0")
+
+    def setUp(self):
+        super().setUp()
+        self.write("scene.toml", self.LIT)
+        self.succeed("radiosity", "scene.toml", "-o", "a.solution")
+
+    def lit(self, *more: str) -> Server:
+        return self.serve("scene.toml", "--shadows", *more)
+
+    def rendered(self, scene: str, *more: str) -> bytes:
+        self.write("other.toml", scene)
+        self.succeed("render", "other.toml", "--shadows", "-o", "file.png", *more)
+        return (self.folder / "file.png").read_bytes()
+
+    def test_the_still_is_that_of_render(self):
+        still = self.lit("--solution", "a.solution").ask("POST", "/still")[2]
+        self.assertEqual(still, self.rendered(self.LIT, "--solution", "a.solution"))
+        self.assertNotEqual(still, self.lit().ask("POST", "/still")[2])
+
+    def test_lamps_at_other_levels_reflect_theirs(self):
+        server = self.lit("--solution", "a.solution")
+        brighter = ROW.replace("9000", "[9000, 2000, 500]")
+        expected = self.rendered(self.LIT.replace(ROW, brighter), "--solution", "a.solution")
+        self.assertEqual(server.ask("PUT", "/rig", 'format = "keiko-rig/1"\n' + brighter)[0], 200)
+        for _ in range(2):  # the second is of the light that was kept
+            self.assertEqual(server.ask("POST", "/still")[2], expected)
+
+    def test_the_rows_as_the_page_knows_them_are_those_of_the_solution(self):
+        server = self.lit("--solution", "a.solution")
+        row, = json.loads(server.ask("GET", "/scene")[2])["rig"]["planes"]
+        table = "[[c_plane]]\n" + "".join(f"{key} = {json.dumps(value)}\n" for key, value in row.items())
+        status, _, still = server.ask("POST", "/still", table)
+        self.assertEqual((status, still), (200, server.ask("POST", "/still")[2]))
+
+    def test_moved_lamps_are_refused_with_the_reason(self):
+        server = self.lit("--solution", "a.solution")
+        error = self.error_of(server.ask("POST", "/still", ROW.replace("2000, 3000", "2000, 3001")), 400)
+        self.assertEqual(error, "a.solution:lighting: is of other lamps, beside their levels, "
+                                "or other reflectances than scene.toml")
+        self.assertEqual(server.ask("POST", "/still")[0], 200)
+
+    def test_what_has_no_such_light_is_refused_in_one_line(self):
+        self.write("other.toml", self.LIT.replace("0.7", "0.6"))
+        folder = self.folder / "out"
+        folder.mkdir()
+        (folder / "report.json").write_text("{}")
+        for arguments, reason in (
+            (("other.toml", "--shadows"), "a.solution:lighting: is of other lamps"),
+            (("scene.toml",), "--solution requires --shadows"),
+            (("scene.toml", "--shadows", "--rig", "auto"), "--solution excludes --rig"),
+            (("scene.toml", "--shadows", "--against", "other.toml"), "excludes --"),
+            (("out", "--shadows"), "out: is a report, whose pictures have no light of a --solution"),
+        ):
+            run = self.keiko("view", *arguments, "--solution", "a.solution", "--no-browser")
+            self.assertEqual((run.returncode, run.stdout), (2, ""), arguments)
+            self.assertIn(reason, run.stderr)
+            self.assertEqual(run.stderr.count("\n"), 1, run.stderr)
+
+
 class Clients(ViewTest):
     """Who leaves, who is in a hurry, and who is one of two."""
 

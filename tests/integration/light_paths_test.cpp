@@ -51,7 +51,7 @@ std::vector<std::vector<double>> lux_of(const Scene& scene, const std::string& p
 /// Gives a scene its solution, through a file.
 void solve(Scene& scene, const std::filesystem::path& file) {
     write_solution(file, solve_radiosity(scene));
-    take_solution(scene, file);
+    take_solution(scene, read_solution(file), file.string());
 }
 
 double luminance_of(const Vec3& c) {

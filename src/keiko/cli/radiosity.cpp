@@ -60,7 +60,8 @@ void add_radiosity(CLI::App& app, Session& session) {
         ->type_name("FILE")
         ->required();
     command.footer(
-        "keiko illuminance and render take it by --solution. It holds for the scene's geometry, "
+        "keiko illuminance, render, panorama and view take it by --solution. It holds for the "
+        "scene's geometry, "
         "lamps and reflectances, whatever the view and the levels of the lamps; [radiosity] of the "
         "scene says how fine it is. "
         "Interrupted, it keeps the light that has been found.\n"

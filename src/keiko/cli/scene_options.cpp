@@ -41,6 +41,15 @@ void tell_build(const Scene& scene) {
                std::to_string(hiding.build_seconds) + " s");
 }
 
+/// Gives the scene the reflected light of a solution's file.
+void take_light(Scene& scene, const std::filesystem::path& file) {
+    const RadiositySolution solution = read_solution(file);
+    take_solution(scene, solution, file.string());
+    log_detail(file.string() + ": " + std::to_string(solution.elements) + " elements, " +
+               std::to_string(solution.factor_rows) +
+               " rows of form factors, of which none is computed anew");
+}
+
 } // namespace
 
 std::vector<Aov> aovs_by_names(const std::string& names) {
@@ -168,7 +177,7 @@ Scene SceneArguments::open(const Job& job) const {
     const bool is_own_rig = scene.rig && !(options.analysis && options.analysis->rig);
     if (is_own_rig) log_remarks(luminaire_remarks(*scene.rig));
     if (scene.analysis) log_remarks(scene.analysis->remarks);
-    if (!solution.empty()) take_solution(scene, solution);
+    if (!solution.empty()) take_light(scene, solution);
     if (wanted.width > 0) scene.set_picture_size(wanted.width, wanted.height);
     return scene;
 }

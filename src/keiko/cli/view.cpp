@@ -1,6 +1,7 @@
 #include "keiko/api/view.h"
 
 #include "keiko/api/results.h"
+#include "keiko/base/error.h"
 #include "keiko/base/log.h"
 #include "keiko/cli/browser.h"
 #include "keiko/cli/outputs.h"
@@ -53,6 +54,9 @@ std::optional<Scene> earlier_scene(const ViewArguments& arguments, const Job& jo
 void open_report(ViewArguments& arguments) {
     if (arguments.scene.inputs.size() != 1 || !is_report_folder(arguments.scene.inputs.front()))
         return;
+    if (!arguments.scene.solution.empty())
+        throw Error(arguments.scene.inputs.front().string(), "",
+                    "is a report, whose pictures have no light of a --solution");
     ReportFolder report = read_report_folder(arguments.scene.inputs.front());
     log_remarks(report.changes);
     arguments.scene.inputs = report.inputs;
@@ -86,6 +90,7 @@ int view(ViewArguments arguments, const Job& job) {
     if (!arguments.preset.empty())
         arguments.options.check.preset = preset_by_name_or_file(arguments.preset);
     arguments.options.check.load = load_options(arguments.scene);
+    arguments.options.solution = arguments.scene.solution;
     Scene scene = arguments.scene.open(job);
     std::optional<Scene> against = earlier_scene(arguments, job);
     arguments.scene.warn_of_axes(scene, names);
@@ -106,19 +111,23 @@ void add_view(CLI::App& app, Session& session) {
     CLI::App& command = *app.add_subcommand(
         "view", "show the body under lamps in the browser, to turn it and to drag the lamps");
     arguments->scene.add_to(command, "MODEL|SCENE|REPORT");
-    command
-        .add_option("--against", arguments->against,
-                    "an earlier revision to compare with: its model file or scene file; may "
-                    "repeat for the models of one body")
-        ->allow_extra_args(false);
+    CLI::Option* against =
+        command
+            .add_option("--against", arguments->against,
+                        "an earlier revision to compare with: its model file or scene file; may "
+                        "repeat for the models of one body")
+            ->allow_extra_args(false);
     arguments->scene.add_picture_size(command);
     arguments->scene.add_shadows(command);
     arguments->scene.add_analysis(command);
+    CLI::Option* solution = arguments->scene.add_solution(command);
     command.add_option("--view", arguments->view, "view by name, auto, or scene")
         ->check(not_empty());
-    command.add_option("--rig", arguments->rig, "rig file, or auto: the scene's, or placed")
-        ->check(not_empty())
-        ->capture_default_str();
+    CLI::Option* rig =
+        command.add_option("--rig", arguments->rig, "rig file, or auto: the scene's, or placed")
+            ->check(not_empty())
+            ->capture_default_str();
+    solution->needs("--shadows")->excludes(against)->excludes(rig);
     command.add_option("--preset", arguments->preset,
                        "limits of the seams by name, or a preset file (.toml) [class-a-outer]");
     command

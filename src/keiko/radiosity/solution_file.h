@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace keiko {
+namespace KEIKO_API keiko {
 
 /// Text of a solution, keiko-solution/1: lines of words and numbers, which read back as the same
 /// bits (docs/file-formats.md#solutions-keiko-solution1).

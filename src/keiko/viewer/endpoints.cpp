@@ -220,8 +220,10 @@ HttpReply Endpoints::still(const HttpRequest& request, const std::string& client
                            const Scene* earlier) const {
     const ViewRequest wanted = request_of(request);
     require_faces(scene_.scene().model, wanted.hidden);
+    const LightRig rig = scene_.rig_of(wanted);
+    scene_.reflected(rig, {}); // refuses lamps while there still is an answer to put it into
     return made("image/png", client, earlier ? "still before" : "still",
-                [this, wanted, earlier, rig = scene_.rig_of(wanted)](const Job& job) {
+                [this, wanted, earlier, rig](const Job& job) {
                     return still_png(wanted, rig, earlier, job);
                 });
 }

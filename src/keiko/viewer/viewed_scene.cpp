@@ -1,5 +1,6 @@
 #include "keiko/viewer/viewed_scene.h"
 
+#include "keiko/api/light.h"
 #include "keiko/api/model.h"
 #include "keiko/base/job_steps.h"
 
@@ -77,9 +78,21 @@ std::optional<Occluders> ViewedScene::occluders(const std::vector<std::uint32_t>
     return part_->occluders;
 }
 
+std::shared_ptr<const ReflectedLight> ViewedScene::reflected(const LightRig& rig, const Job& job) {
+    if (!scene_.reflected) return nullptr;
+    const std::string lamps = rig_text(rig);
+    if (lamps == rig_text(*scene_.rig)) return scene_.reflected;
+    const auto lock = locked(light_access_, job);
+    if (!light_ || light_->rig != lamps)
+        light_ = {lamps,
+                  reflected_light(scene_, rig, read_solution(solution_), solution_.string())};
+    return light_->light;
+}
+
 Film ViewedScene::still(const ViewRequest& request, const LightRig& rig, const Job& job) {
     const Tracer seen = seen_without(scene_, request.hidden);
     const std::optional<Occluders> shadows = occluders(request.hidden, job);
+    const std::shared_ptr<const ReflectedLight> light = reflected(rig, job);
     const PictureScene part{seen,
                             scene_.seen_materials(),
                             rig,
@@ -88,7 +101,7 @@ Film ViewedScene::still(const ViewRequest& request, const LightRig& rig, const J
                             scene_.maps.get(),
                             {},
                             scene_.volumes.get(),
-                            nullptr,
+                            light.get(),
                             request.hidden.empty() ? scene_.texels.get() : nullptr};
     return render_part(scene_, part, view_of(request).camera, {}, job);
 }

@@ -7,6 +7,7 @@
 #include "keiko/api/view.h"
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -33,13 +34,20 @@ public:
     const NamedView& view() const { return view_; }
     /// Shows an earlier revision beside the scene; to be called before anybody asks.
     void set_against(Scene earlier) { against_.emplace(std::move(earlier)); }
+    /// Names the file of the scene's reflected light, for lamps at other levels than its own; to be
+    /// called before anybody asks.
+    void set_solution(std::filesystem::path file) { solution_ = std::move(file); }
     /// The earlier revision; null without one.
     const Scene* against() const { return against_ ? &*against_ : nullptr; }
     /// The deep buffer of a request, without the faces that it hides. Throws FieldError for a face
     /// that is not there, and Cancelled.
     DeepBuffer deep(const ViewRequest& request, const DeepOptions& options, const Job& job) const;
+    /// Reflected light of the solution under a rig; null without a solution. Throws Error for lamps
+    /// that differ from the solution's in more than levels, and Cancelled.
+    std::shared_ptr<const ReflectedLight> reflected(const LightRig& rig, const Job& job);
     /// The picture of a request under a rig, without the faces that it hides. Shadows of the last
-    /// faces left are kept. Throws as deep.
+    /// faces left are kept, and reflected light is that of the whole scene. Throws as deep and
+    /// reflected.
     Film still(const ViewRequest& request, const LightRig& rig, const Job& job);
     /// The scene as a page needs it, with the views and changed files of the report.
     ViewFacts facts_of_view() const;
@@ -93,6 +101,12 @@ private:
         Occluders occluders;
     };
 
+    /// Reflected light of the scene under a rig.
+    struct RigLight {
+        std::string rig; ///< its text
+        std::shared_ptr<const ReflectedLight> light;
+    };
+
     std::optional<Occluders> occluders(const std::vector<std::uint32_t>& hidden, const Job& job);
     const Inspection& judged(const Job& job);
     std::uint32_t seam_of_report(std::uint32_t number, const Inspection& inspection) const;
@@ -107,6 +121,9 @@ private:
     LightRig rig_;
     std::timed_mutex part_access_;
     std::optional<PartOccluders> part_; ///< the last that was requested
+    std::filesystem::path solution_;
+    std::timed_mutex light_access_;
+    std::optional<RigLight> light_; ///< the last that was requested
     Kept<Inspection> judged_;
     Kept<std::string> facts_, inspection_, faults_;
     bool is_report_ = false; ///< inspection and faults are those of a report

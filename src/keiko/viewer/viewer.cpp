@@ -14,6 +14,7 @@ void show(ShownScenes scenes, const NamedView& view, LightRig rig, const ViewerO
           const std::function<void(const std::string& address)>& ready, const Job& job) {
     ViewedScene viewed(std::move(scenes.scene), view, std::move(rig), options.check,
                        options.report);
+    viewed.set_solution(options.solution);
     if (scenes.against) viewed.set_against(std::move(*scenes.against));
     LatestWork work;
     const Endpoints endpoints(viewed, work, job.threads);

@@ -4,6 +4,7 @@
 #include "keiko/api/view.h"
 #include "keiko/base/job.h"
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -15,6 +16,7 @@ struct ViewerOptions {
     int port = 0;                         ///< on 127.0.0.1; 0: one that is free
     CheckOptions check{};                 ///< how the geometry is judged once a page asks
     std::optional<ReportFolder> report{}; ///< whose findings are shown instead
+    std::filesystem::path solution{};     ///< that the scene's reflected light is of; empty: none
 };
 
 /// Scenes of a viewer.

@@ -79,7 +79,7 @@ void add_table(const IntensityTable& table, std::vector<double>& numbers) {
 }
 
 /// All numbers that the light of a scene depends on, beside its rig and the levels of lamps.
-std::vector<double> lighting_numbers(const Scene& scene) {
+std::vector<double> lighting_numbers(const Scene& scene, const LightRig& rig) {
     std::vector<double> numbers;
     const auto add = [&](const Rgb& c) { numbers.insert(numbers.end(), {c.r, c.g, c.b}); };
     for (const Rgb& reflectance : reflectances_of(scene)) add(reflectance);
@@ -94,16 +94,23 @@ std::vector<double> lighting_numbers(const Scene& scene) {
     if (const auto& caustics = scene.caustics)
         numbers.insert(numbers.end(),
                        {1.0 * caustics->detail, 1.0 * caustics->interfaces, caustics->min_weight});
-    for (const LightSource& source : scene.rig->sources)
+    for (const LightSource& source : rig.sources)
         if (const auto* luminaire = std::get_if<Luminaire>(&source))
             add_table(luminaire->web->candela, numbers);
     return numbers;
 }
 
+/// The rig with the pitch of each row of lamps, which files may leave to their number.
+LightRig with_stated_pitches(LightRig rig) {
+    for (LightSource& source : rig.sources)
+        if (auto* plane = std::get_if<CPlane>(&source)) plane->pitch = plane->spacing();
+    return rig;
+}
+
 /// Hash of lamps without their levels, and of reflectances.
-std::string lighting_hash(const Scene& scene) {
-    std::string text = rig_text(at_unit_levels(rig_of(scene)));
-    for (const double number : lighting_numbers(scene)) text += toml_value(number) + ' ';
+std::string lighting_hash(const Scene& scene, const LightRig& rig) {
+    std::string text = rig_text(with_stated_pitches(at_unit_levels(rig)));
+    for (const double number : lighting_numbers(scene, rig)) text += toml_value(number) + ' ';
     return sha256_hex(text);
 }
 
@@ -139,7 +146,7 @@ RadiositySolution solve_radiosity(const Scene& scene, const Job& job) {
     RadiositySolution solution = solve_elements({seen, tracer, reflectances}, triangles.elements(),
                                                 direct, levels, spec, job);
     solution.geometry = geometry_hash(scene);
-    solution.lighting = lighting_hash(scene);
+    solution.lighting = lighting_hash(scene, rig_of(scene));
     return solution;
 }
 
@@ -176,19 +183,27 @@ void require_places(const RadiositySolution& solution, const SurfaceModel& model
 
 } // namespace
 
-void take_solution(Scene& scene, const std::filesystem::path& path) {
-    const RadiositySolution solution = parse_solution(read_text_file(path), path.string());
+RadiositySolution read_solution(const std::filesystem::path& path) {
+    return parse_solution(read_text_file(path), path.string());
+}
+
+std::shared_ptr<const ReflectedLight> reflected_light(const Scene& scene, const LightRig& rig,
+                                                      const RadiositySolution& solution,
+                                                      const std::string& source) {
     if (solution.geometry != geometry_hash(scene))
-        throw Error(path.string(), "geometry", "is of other geometry than " + source_of(scene));
-    if (solution.lighting != lighting_hash(scene))
-        throw Error(path.string(), "lighting",
+        throw Error(source, "geometry", "is of other geometry than " + source_of(scene));
+    if (solution.lighting != lighting_hash(scene, rig))
+        throw Error(source, "lighting",
                     "is of other lamps, beside their levels, or other reflectances than " +
                         source_of(scene));
     SurfaceModel seen = visible_model(scene, scene.model);
-    require_places(solution, seen, path.string());
-    scene.reflected = std::make_shared<const ReflectedLight>(solution, levels_of(*scene.rig),
-                                                             reflectances_of(scene),
-                                                             std::move(seen), reflecting(scene));
+    require_places(solution, seen, source);
+    return std::make_shared<const ReflectedLight>(solution, levels_of(rig), reflectances_of(scene),
+                                                  std::move(seen), reflecting(scene));
+}
+
+void take_solution(Scene& scene, const RadiositySolution& solution, const std::string& source) {
+    scene.reflected = reflected_light(scene, rig_of(scene), solution, source);
 }
 
 } // namespace keiko

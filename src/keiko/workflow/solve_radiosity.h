@@ -7,6 +7,7 @@
 #include "keiko/workflow/open_scene.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 
 namespace KEIKO_API keiko {
@@ -29,8 +30,18 @@ Diagnostics radiosity_remarks(const Scene& scene);
 /// `remaining` is not finite.
 void write_solution(const std::filesystem::path& path, const RadiositySolution& solution);
 
-/// Gives a scene the reflected light of a solution. Throws Error for a file that is no solution,
-/// and for one of other geometry, other reflectances, or lamps that differ in more than levels.
-void take_solution(Scene& scene, const std::filesystem::path& path);
+/// Solution of such a file. Throws Error for a file that is none.
+RadiositySolution read_solution(const std::filesystem::path& path);
+
+/// Reflected light of a solution in its scene, at the levels of a rig's lamps. No form factor is
+/// computed. Throws Error naming `source`, the solution, if it is of other geometry, other
+/// reflectances, or lamps that differ from those of the rig in more than levels.
+std::shared_ptr<const ReflectedLight> reflected_light(const Scene& scene, const LightRig& rig,
+                                                      const RadiositySolution& solution,
+                                                      const std::string& source);
+
+/// Gives a scene the reflected light of a solution, at the levels of its own lamps. Throws as
+/// reflected_light, and for a scene without lamps.
+void take_solution(Scene& scene, const RadiositySolution& solution, const std::string& source);
 
 } // namespace keiko
