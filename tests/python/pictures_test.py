@@ -121,6 +121,103 @@ class PicturesTest(unittest.TestCase):
                          (self.folder / "part.json").read_text(encoding="utf-8"))
 
 
+class ReflectedLightTest(unittest.TestCase):
+    """The light that surfaces reflect, beside that of the command line."""
+
+    SPHERE = """format = "keiko-scene/1"
+[[primitive]]
+kind = "sphere"
+center = [0, 0, 0]
+radius = 2000
+material = { diffuse = 0.6, refractive_index = 1 }
+[[point]]
+position = [0, 0, 0]
+intensity = 1000
+[radiosity]
+element = 900
+deviation = 60
+rays = 256
+[camera]
+eye = [0, -1500, 0]
+target = [0, 0, 0]
+size = [64, 36]
+"""
+    POINTS, NORMALS = [[2000, 0, 0], [0, -2000, 0]], [[-1, 0, 0], [0, 1, 0]]
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        self.path = self.folder / "scene.toml"
+        self.path.write_text(self.SPHERE, encoding="utf-8")
+        self.scene = keiko.open_scene(self.path, shadows=True)
+        self.solution = keiko.radiosity(self.scene)
+
+    def test_a_solution_is_that_of_the_program(self):
+        run("radiosity", self.path, "-o", self.folder / "theirs")
+        self.solution.write(self.folder / "ours")
+        pickle.loads(pickle.dumps(self.solution)).write(self.folder / "again")
+        keiko.Solution.read(self.folder / "theirs").write(self.folder / "read")
+        theirs = (self.folder / "theirs").read_bytes()
+        for name in "ours", "again", "read":
+            self.assertEqual((self.folder / name).read_bytes(), theirs, name)
+
+    def test_its_balance_is_that_of_an_integrating_sphere(self):
+        first = 4 * np.pi * 1000 * 0.6
+        self.assertAlmostEqual(self.solution.emitted, first, delta=0.05 * first)
+        self.assertLess(abs(self.solution.escaped), 1e-5 * first)
+        self.assertAlmostEqual(self.solution.missing,
+                               self.solution.emitted - self.solution.absorbed - self.solution.escaped, delta=1e-9 * first)
+        self.assertTrue(0 < self.solution.remaining < 1e-2)
+        self.assertGreater(self.solution.factor_rows, self.solution.elements / 2)
+        self.assertEqual(self.solution.remarks, [])
+
+    def test_points_and_pictures_have_its_light(self):
+        self.solution.write(self.folder / "a.solution")
+        direct, ratio = 1000 / 2 ** 2, 0.6 / (1 - 0.6)
+        for solution in self.solution, self.folder / "a.solution":
+            lux = keiko.illuminance(self.scene, self.POINTS, self.NORMALS, solution=solution)
+            self.assertEqual(lux.dtype.names, ("point.0", "reflected", "sum"))
+            np.testing.assert_allclose(lux["reflected"], direct * ratio, rtol=1e-3)
+        film = keiko.render(self.path, solution=self.solution)
+        for ours, options in (film, ()), (keiko.render(self.scene, solution=self.solution, gather=16), ("--gather", 16)):
+            run("render", self.path, "--shadows", "--solution", self.folder / "a.solution", *options,
+                "-o", self.folder / "theirs.exr")
+            self.assertEqual(ours.exr(), (self.folder / "theirs.exr").read_bytes())
+        self.assertNotEqual(film.exr(), keiko.render(self.scene).exr())
+
+    def test_it_holds_for_these_lamps_at_any_level(self):
+        rig = keiko.Rig('format = "keiko-rig/1"\n[[point]]\nposition = [0, 0, 0]\nintensity = 2000\n')
+        at = (self.scene, self.POINTS, self.NORMALS)
+        twice = keiko.illuminance(*at, solution=self.solution, rig=rig)
+        once = keiko.illuminance(*at, solution=self.solution)
+        np.testing.assert_allclose(twice["reflected"], 2 * once["reflected"], rtol=1e-12)
+        moved = keiko.Rig(rig.text.replace("0, 0, 0", "0, 0, 1").replace("[0, 0, 0]", "[0, 0, 1]"))
+        self.assertNotEqual(moved, rig)
+        with self.assertRaisesRegex(keiko.Error, "^solution:lighting: is of other lamps"):
+            keiko.illuminance(*at, solution=self.solution, rig=moved)
+        with self.assertRaisesRegex(keiko.Error, "^solution:lighting: is of other lamps"):
+            keiko.render(self.scene, solution=self.solution, rig=moved)
+
+    def test_what_does_not_fit_is_refused(self):
+        plain = keiko.open_scene(self.path)
+        wrong = self.folder / "b.solution"
+        wrong.write_text("keiko-rig/1\n", encoding="utf-8")
+        for call, reason in (
+            (lambda: keiko.radiosity(plain), "^shadows: "),
+            (lambda: keiko.radiosity(keiko.open_scene(SPHERE, shadows=True)), "^rig: the scene has no lamps"),
+            (lambda: keiko.render(plain, solution=self.solution), "^solution: is for a scene opened with shadows"),
+            (lambda: keiko.render(HOOD, solution=self.solution), "^solution:geometry: is of other geometry"),
+            (lambda: keiko.render(self.scene, solution=wrong), "b.solution:line 1: expected"),
+            (lambda: keiko.render(self.scene, gather=16), "^gather: is of the light of a solution"),
+            (lambda: keiko.render(self.scene, solution=self.solution, gather=65537), "^gather: is not 0 to 65536"),
+        ):
+            with self.assertRaisesRegex(keiko.Error, reason):
+                call()
+        with self.assertRaises(TypeError):
+            keiko.render(self.scene, solution=7)
+
+
 class RaysTest(unittest.TestCase):
     def test_all_hits_are_those_of_the_program(self):
         rays = np.array([[10, 5, 300, 0, 0, -2.0], [500, 0, 300, 0, 0, -1], [30, 20, 300, 0, 0.1, -1]])

@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 # What pybind11 gives its classes: their metaclass, and an __init__ that only raises.
-OF_PYBIND11 = "".join(rf"keiko\.{name}(\.__init__)?{os.linesep}" for name in ("Curve", "DeepBuffer", "Drawing", "Film", "Mesh", "Model", "Placement", "Scene",
+OF_PYBIND11 = "".join(rf"keiko\.{name}(\.__init__)?{os.linesep}" for name in ("Curve", "DeepBuffer", "Drawing", "Film", "Mesh", "Model", "Placement", "Scene", "Solution",
                                                                "Spline"))
 
 

@@ -155,8 +155,8 @@ void add_lines(pybind11::module_& module);
 void add_drawings(pybind11::module_& module);
 /// The function comparison_files.
 void add_comparisons(pybind11::module_& module);
-/// The functions place_lamps, info_json, regress_json, accept_baselines
-/// and illuminance_numbers.
+/// The functions place_lamps, info_json, regress_json, accept_baselines and
+/// illuminance_numbers, and what is in solution.h.
 void add_verbs(pybind11::module_& module);
 /// The class Mesh and the function surface_mesh.
 void add_meshes(pybind11::module_& module);

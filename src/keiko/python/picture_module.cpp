@@ -3,12 +3,14 @@
 #include "keiko/api/view.h"
 #include "keiko/base/error.h"
 #include "keiko/python/module.h"
+#include "keiko/python/solution.h"
 #include "keiko/python/work.h"
 
 #include <pybind11/numpy.h>
 
 #include <cmath>
 #include <map>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -62,21 +64,28 @@ PictureOptions accuracy_of(const py::dict& given) {
     options.edge_samples = taken<int>(given, "edge_samples");
     if (options.edge_samples < 1 || options.edge_samples > 16)
         throw FieldError("edge_samples", "is not 1 to 16");
+    options.gather_rays = taken<int>(given, "gather");
+    constexpr int most = 65536;
+    if (options.gather_rays < 0 || options.gather_rays > most)
+        throw FieldError("gather", "is not 0 to " + std::to_string(most) + " rays");
     return options;
 }
 
 Film render(const OpenScene& open, const std::string& view, const py::object& rig,
-            std::optional<int> width, std::optional<int> height,
+            const py::object& solution, std::optional<int> width, std::optional<int> height,
             const std::vector<std::string>& aovs, const py::dict& accuracy,
             const py::object& progress, int threads) {
     const ChosenRig chosen(rig);
+    const ChosenSolution light(solution);
     PictureOptions options = accuracy_of(accuracy);
+    if (options.gather_rays > 0 && solution.is_none())
+        throw FieldError("gather", "is of the light of a solution");
     for (const std::string& name : aovs) options.aovs.push_back(aov_by_name(name));
     return run({progress, threads}, [&](const Job& job) {
-        const Scene& scene = *open.scene;
-        const NamedView seen = view_named(scene, view, width, height, job);
-        const LightRig lamps = lamps_of(scene, chosen, seen, job);
-        return render_view(scene, lamps, seen.camera, picture_options(scene, options), job);
+        const NamedView seen = view_named(*open.scene, view, width, height, job);
+        const LightRig lamps = lamps_of(*open.scene, chosen, seen, job);
+        const std::shared_ptr<const Scene> scene = light.lit(open, lamps);
+        return render_view(*scene, lamps, seen.camera, picture_options(*scene, options), job);
     });
 }
 

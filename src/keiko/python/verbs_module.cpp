@@ -4,6 +4,7 @@
 #include "keiko/api/regress.h"
 #include "keiko/base/error.h"
 #include "keiko/python/module.h"
+#include "keiko/python/solution.h"
 #include "keiko/python/work.h"
 
 #include <pybind11/numpy.h>
@@ -90,11 +91,13 @@ std::map<std::string, std::vector<std::string>> accept_baselines(
 
 /// The names of the columns, and a row of numbers a point.
 py::tuple illuminance(const OpenScene& open, const NumberRows& points, const py::object& rig,
-                      const py::object& progress, int threads) {
+                      const py::object& solution, const py::object& progress, int threads) {
     const std::vector<Ray> at = rays_of(points, "points", "point and normal");
     const ChosenRig lamps(rig);
+    const ChosenSolution light(solution);
     auto found = std::make_unique<PointIlluminance>(run({progress, threads}, [&](const Job& job) {
-        return illuminance_at(*open.scene, lamps.of(*open.scene), at, job);
+        const LightRig under = lamps.of(*open.scene);
+        return illuminance_at(*light.lit(open, under), under, at, job);
     }));
     const py::object columns = py::cast(found->columns);
     const std::array<py::ssize_t, 2> shape{static_cast<py::ssize_t>(at.size()),
@@ -108,6 +111,7 @@ py::tuple illuminance(const OpenScene& open, const NumberRows& points, const py:
 } // namespace
 
 void add_verbs(py::module_& module) {
+    add_radiosity(module);
     py::class_<PlacedLamps>(module, "Placement",
                             "Placed lamps, and how much of the body mirrors them.")
         .def_readonly("coverage", &PlacedLamps::coverage,

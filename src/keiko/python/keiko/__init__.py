@@ -16,20 +16,21 @@ import numpy as _np
 from . import _pages
 from ._arguments import checked as _checked, each_number as _each_number, error as _error, rows as _rows
 from ._documents import Check, Comparison, Document, Facts, Judged, Lines, MeshErrors, Regression, Report, ScanComparison
-from ._keiko import (Curve, DeepBuffer, Drawing, Error, Film, Mesh, Model, Placement, Scene, Spline, accept_baselines,
+from ._keiko import (Curve, DeepBuffer, Drawing, Error, Film, Mesh, Model, Placement, Scene, Solution, Spline, accept_baselines,
                      accept_findings, analysis_png, check_json, comparison_files, deep_buffer, draw_sheet, find_lines, hit_dtype,
                      illuminance_numbers, info_json, load_model, luminance_numbers, mesh_error_files, open_scene, place_lamps,
-                     read_curves, regress_json, render_film, report_files, scan_deviations, scan_points, surface_mesh,
+                     read_curves, regress_json, render_film, report_files, scan_deviations, scan_points, solved_radiosity,
+                     surface_mesh,
                      unpickled_model, version, write_curves)
 from ._picture import Picture
 from ._rig import Rig
 
 __version__ = version()
 __all__ = ["Check", "Comparison", "Curve", "DeepBuffer", "Document", "Drawing", "Error", "Facts", "Film", "Lines", "Mesh", "MeshErrors", "Model",
-           "Picture", "Placement", "Regression", "Report", "Rig", "ScanComparison", "Scene", "Spline", "accept",
+           "Picture", "Placement", "Regression", "Report", "Rig", "ScanComparison", "Scene", "Solution", "Spline", "accept",
            "accept_baselines", "analysis_picture", "check", "compare", "compare_scan", "deep_view", "draw", "hit_dtype",
            "illuminance", "info", "inspect", "lines", "load", "luminance", "mesh", "mesh_error", "open_scene", "place",
-           "read_curves", "read_scan", "regress", "render", "version", "write_curves"]
+           "radiosity", "read_curves", "read_scan", "regress", "render", "version", "write_curves"]
 
 for _type in (Check, Comparison, Document, Facts, Judged, Lines, MeshErrors, Picture, Regression, Report, ScanComparison, Rig):
     _type.__module__ = __name__  # what pickles and help() name
@@ -77,9 +78,11 @@ def load(input, *, name: str = "", unit: str = "", axes: str = "", progress=None
         return load_model([path], name or "bytes", unit, axes, progress, threads)
 
 
-def _opened(scene, progress, threads) -> Scene:
+def _opened(scene, progress, threads, shadows: bool = False) -> Scene:
     """A scene, or the one that model files or a scene file make."""
-    return scene if isinstance(scene, Scene) else open_scene(scene, progress=progress, threads=threads)
+    if isinstance(scene, Scene):
+        return scene
+    return open_scene(scene, shadows=shadows, progress=progress, threads=threads)
 
 
 def _words(one_or_more) -> list:
@@ -297,18 +300,30 @@ def regress(suite, output="keiko-regress", *, baselines="", only=(), fresh: bool
 
 
 @_checked
-def illuminance(scene, points, normals, *, rig=None, progress=None, threads: int = 0):
+def radiosity(scene, *, rig=None, progress=None, threads: int = 0) -> Solution:
+    """Solves the light that diffuse surfaces reflect onto each other, of the scene's lamps or those of `rig`.
+
+    The scene must have been opened with shadows, and `[radiosity]` of its file says how fine the elements are. The
+    Solution has its balance, `emitted`, `absorbed`, `escaped` and `missing` (lm), and `remaining`, the bound of the
+    light that it lacks. It holds for any view, and for these lamps at any levels. `write(file)` keeps it.
+    """
+    return solved_radiosity(_opened(scene, progress, threads, shadows=True), rig, progress, threads)
+
+
+@_checked
+def illuminance(scene, points, normals, *, rig=None, solution=None, progress=None, threads: int = 0):
     """Illuminance in lx at points (n, 3), in mm, with normals (n, 3), by the scene's lamps or those of `rig`.
 
-    Returns a structured array of n rows: a column for each source, "c_plane.0", and "sum".
+    Returns a structured array of n rows: a column for each source, "c_plane.0", and "sum". With a `solution`, a
+    Solution or its file, a column "reflected" stands before the sum: the light that surfaces reflect of these lamps.
     """
     points = _rows("points", points, 3, "x, y and z in mm")
     normals = _rows("normals", normals, 3, "x, y and z of the normals of the points")
     if len(points) != len(normals):
         raise _error("normals", f"are {len(normals)}, of {len(points)} points")
     rows = _np.hstack([points, normals])
-    scene = _opened(scene, progress, threads)
-    names, numbers = illuminance_numbers(scene, rows, rig, progress, threads)
+    scene = _opened(scene, progress, threads, shadows=solution is not None)
+    names, numbers = illuminance_numbers(scene, rows, rig, solution, progress, threads)
     return numbers.view([(name, float) for name in names]).reshape(len(rows))
 
 
@@ -351,16 +366,17 @@ def deep_view(scene, view: str = "", *, width: int | None = None, height: int | 
 
 
 @_checked
-def render(scene, view: str = "", *, rig=None, width: int | None = None, height: int | None = None, aovs=(),
-           penumbrae: str = "width", light_error: float = 2e-3, edge_samples: int = 8, progress=None,
-           threads: int = 0) -> Film:
+def render(scene, view: str = "", *, rig=None, solution=None, width: int | None = None, height: int | None = None,
+           aovs=(), penumbrae: str = "width", light_error: float = 2e-3, edge_samples: int = 8, gather: int = 0,
+           progress=None, threads: int = 0) -> Film:
     """The picture of a scene: `numpy.asarray` of it is height x width x 3, cd/m2.
 
     `view` is what `keiko render --view` takes: a name, "auto", "scene", or a view file; empty for the
     scene's own, or else the one that shows the body best. `rig` is a rig file or a Rig; without one the lamps
-    are the scene's own, or placed for the view. Without width and height: the scene's own size. `penumbrae`,
-    `light_error` and `edge_samples` are those of `keiko render`.
+    are the scene's own, or placed for the view. `solution` is a Solution of these lamps, or its file: its reflected
+    light takes the place of ambient light. Without width and height: the scene's own size. `penumbrae`,
+    `light_error`, `edge_samples` and `gather` are those of `keiko render`.
     """
-    scene = _opened(scene, progress, threads)
-    accuracy = {"penumbrae": penumbrae, "light_error": light_error, "edge_samples": edge_samples}
-    return render_film(scene, view, rig, width, height, _words(aovs), accuracy, progress, threads)
+    scene = _opened(scene, progress, threads, shadows=solution is not None)
+    accuracy = {"penumbrae": penumbrae, "light_error": light_error, "edge_samples": edge_samples, "gather": gather}
+    return render_film(scene, view, rig, solution, width, height, _words(aovs), accuracy, progress, threads)
