@@ -74,6 +74,9 @@ luminance = 9000
 """)
         layers = self.layers(surface("dome.bpt"), "--rig", rig, "--view", "high-front", "--perspective")
         self.assertGreater(layers["lines"], 3)
+        self.write("rig.svg", (self.folder / "rig.toml").read_text())
+        run = self.keiko("draw", surface("dome.bpt"), "--rig", "rig.svg", "-o", "rig.svg", "-q")
+        self.assertEqual((run.returncode, run.stderr), (2, "keiko: rig.svg: is an input as well\n"))
 
     def test_findings_are_numbered_and_listed(self):
         texts = self.texts(surface("seam-g0-gap.step"), "--findings", "--view", "top")

@@ -32,6 +32,14 @@ class Panorama(KeikoTest):
             self.assertRegex(run.stderr, r"without parallax, and its light has no shadows and is off by up to [\d.]+ %")
             self.assertEqual(len(run.stderr.splitlines()), 1)
 
+    def test_the_surroundings_are_not_written_over(self):
+        self.panorama("-o", "studio.exr", "--width", "128")
+        before = (self.folder / "studio.exr").read_bytes()
+        scene = self.write("scene.toml", SCENE + '[environment]\nfile = "studio.exr"\nlayout = "lat-long"\n')
+        run = self.keiko("render", scene, "-o", "./studio.exr", "-q")
+        self.assertEqual((run.returncode, run.stderr), (2, "keiko: ./studio.exr: is an input as well\n"))
+        self.assertEqual((self.folder / "studio.exr").read_bytes(), before)
+
     def test_the_other_layout_is_refused(self):
         self.panorama("-o", "studio.exr", "--width", "128")
         scene = self.write("scene.toml", SCENE + '[environment]\nfile = "studio.exr"\nlayout = "cube"\n')

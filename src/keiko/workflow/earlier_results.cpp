@@ -84,9 +84,12 @@ FolderContent with_manifest(FolderContent content) {
 
 void withdraw_results(const ResultPlaces& places, std::span<const fs::path> inputs) {
     const std::set<fs::path> read = files_read(inputs);
+    const auto is_there = [](const fs::path& file) { return !file.empty() && is_file(file); };
     for (const fs::path& file : places.files)
-        if (!file.empty() && is_file(file) && !read.contains(real_path(file)))
-            remove_result(real_path(file));
+        if (is_there(file) && read.contains(real_path(file)))
+            throw Error(file.string(), "", "is an input as well");
+    for (const fs::path& file : places.files)
+        if (is_there(file)) remove_result(real_path(file));
     for (const fs::path& folder : places.folders)
         if (!folder.empty()) withdraw_folder(folder, read);
 }

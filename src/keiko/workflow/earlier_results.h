@@ -21,8 +21,9 @@ FolderContent with_manifest(FolderContent content);
 
 /// Removes the results of an earlier run in these places, so that a failed run leaves none that
 /// could be mistaken for its own. In a folder it removes only files that its manifest lists, and
-/// only if they are unchanged. Devices and pipes stay, and so do all `inputs` and the files that
-/// they name, as scenes do. Throws Error for a result that cannot be removed.
+/// only if they are unchanged. Devices and pipes stay. In a folder all `inputs` stay, and the files
+/// that they name, as scenes do. Throws Error for a file to be written that is one of those, before
+/// anything is removed, and for a result that cannot be removed.
 void withdraw_results(const ResultPlaces& places, std::span<const std::filesystem::path> inputs);
 
 } // namespace keiko

@@ -111,7 +111,7 @@ Stage under_the_sky() {
     test::ModelBuilder builder;
     test::add_dome(builder);
     builder.plane({-2000, -2000, 0}, {4000, 0, 0}, {0, 4000, 0});
-    builder.plane({-300, -400, 420}, {500, 0, 60}, {0, 300, 0});
+    builder.plane({-800, -700, 330}, {1300, 0, 60}, {0, 1000, 0});
     Stage stage(builder.build(), 1);
     SkyLight sky{SkyModel::overcast, Rgb(900, 600, 300)};
     sky.ground = Rgb(90);

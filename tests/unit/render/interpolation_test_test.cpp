@@ -47,13 +47,6 @@ PlateSpots under_bar(double first_column, double width) {
     return PlateSpots(Sun(), PlateSpots::Screen{{first_column, -100, 50}, width, 200});
 }
 
-/// Under an overcast sky, a screen at a height over all beyond x = 20: what is seen of the quarter
-/// there bends with x.
-PlateSpots before_eaves(double height) {
-    return PlateSpots(SkyLight{SkyModel::overcast, Rgb(1000)},
-                      PlateSpots::Screen{{20, -500, height}, 900, 1000});
-}
-
 /// Plate under the lamp; a screen hides an end of the lamp from where y is more than `kink` on.
 PlateSpots under_edge(double kink) {
     constexpr double height = 500, lamp = 1000, end = 500, share = height / lamp;
@@ -127,30 +120,4 @@ TEST(InterpolationTest, StepsOverNoNarrowerShadows) {
         for (double first = 0.5; first < 15; ++first)
             EXPECT_TRUE((Trial{under_bar(first, width), 1e-3}.tells_none_for_sure())) << first;
     EXPECT_TRUE((Trial{under_bar(16.5, 2), 1e-3}.told.threatened.empty()));
-}
-
-// Its bend is within what pictures resolve, though not within the budget of light.
-TEST(InterpolationTest, TellsAQuarterOfTheSkyByItsShareToItsResolution) {
-    const PlateSpots plate = before_eaves(60);
-    constexpr double error = 2e-3;
-    const Trial trial{plate, error};
-    EXPECT_TRUE(trial.told.lines.empty());
-    EXPECT_TRUE(trial.told.parabolas.empty());
-    ASSERT_EQ(trial.told.seen, the_light);
-    EXPECT_TRUE((Trial{plate, error / 20}.tells_none()));
-    const LinearlySeen linear{0, PlateSpots::all()};
-    LightSamples exact(plate.integrator(), plate.grid());
-    double most = 0;
-    for (int x = 0; x < PlateSpots::side; ++x) {
-        exact.find_for_sure(x, 5, the_light);
-        const auto seen = seen_between_corners(trial.lights, plate.grid(), linear, {x, 5});
-        ASSERT_TRUE(seen);
-        most = std::max(most, std::abs(seen->share - exact.seen(x, 5, 0).share));
-    }
-    EXPECT_GT(most, 1e-3);
-    EXPECT_LT(most, 15 * error);
-}
-
-TEST(InterpolationTest, TellsNoQuarterOfTheSkyWhoseShareBendsMore) {
-    EXPECT_TRUE((Trial{before_eaves(8), 2e-3}.tells_none()));
 }
