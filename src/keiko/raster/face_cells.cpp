@@ -5,7 +5,7 @@
 namespace keiko {
 namespace {
 
-/// Of a face parameter over a patch.
+/// Range of a face parameter over a patch.
 std::pair<double, double> range(const ParameterMap& map) {
     return {map.to_face(0), map.to_face(1)};
 }

@@ -114,7 +114,7 @@ private:
     MeshErrorReport& report_;
 };
 
-/// The meshes, each a step of a weight, and what the report tells of them.
+/// The meshes, each a step of a weight, and what the report says of them.
 std::vector<SurfaceMesh> make_meshes(const Scene& scene, const MeshErrorOptions& options,
                                      JobSteps& steps, double weight,
                                      std::vector<ComparedMesh>& told) {

@@ -66,7 +66,7 @@ void take_voxels(const TomlTable& table, int& voxels) {
         throw table.error("voxels", "must be a power of two: 8, 16, 32, 64 or 128");
 }
 
-/// Throws Error if hairs pass so many voxels that they are not laid within seconds.
+/// Throws Error if hairs pass more voxels than they are laid in within seconds.
 void require_few_voxels(const TomlTable& table, const TexelSpec& texels, const FurSpec& fur) {
     constexpr double most = 1e7;
     const double length = fur.length + 2 * std::numbers::pi * fur.curl_radius * fur.curl_turns;

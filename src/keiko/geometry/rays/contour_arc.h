@@ -68,7 +68,7 @@ struct ContourArc {
 /// The outlines of a surface from one point.
 struct ContourArcs {
     std::vector<ContourArc> all;
-    bool are_complete = true; ///< false if some could not be told apart
+    bool are_complete = true; ///< false if some could not be separated
 };
 
 /// Arc through three directions, tangent to the planes with these normals at its ends. Where no

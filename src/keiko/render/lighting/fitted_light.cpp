@@ -27,10 +27,9 @@ constexpr double most_leverage = 1;
 constexpr double most_bend = 2;
 /// Share of the error that is allowed at a node that determines its own light, for rounding.
 constexpr double least_own_share = 0.1;
-/// Light of an open sky past no body of which its visible light may be off, as a multiple of the
-/// error.
+/// Error allowed in the light of an open sky, in that past no body, as a multiple of the error.
 constexpr double of_open_sky = 3;
-/// Pixels a side of squares each of which has a place beside other surfaces that tests a fit.
+/// Pixels a side of squares; one place beside other surfaces tests a fit in each.
 constexpr int check_spacing = 8;
 
 Rgb not_negative(const Rgb& value) {

@@ -57,13 +57,13 @@ public:
     }
     /// Light of some of them together.
     DirectLight direct_light(const ShadingPoint& point, std::span<const LightId> lights) const;
-    /// The same past no body; glass and volumes dim it.
+    /// Their light past no body; glass and volumes dim it.
     DirectLight unoccluded_light(const ShadingPoint& point, std::span<const LightId> lights) const;
     /// All lights, in the order in which they are queried.
     const std::vector<LightId>& lights() const { return lights_.lights(); }
-    /// True if the light of one of them is fitted over smooth surfaces: that of an open sky, whose
-    /// shadows have wide edges, and of all where all are rows of tubes, nothing casts shadows, and
-    /// there is no medium.
+    /// True if the light of one of them is fitted over smooth surfaces. That of an open sky is,
+    /// whose shadows have wide edges, and all is where all are rows of tubes, nothing casts
+    /// shadows, and there is no medium.
     bool is_smooth(const LightId& light) const { return lamps_are_smooth() || is_open_sky(light); }
     /// Lights for which is_smooth().
     std::vector<LightId> smooth_lights() const;

@@ -44,8 +44,9 @@ private:
     /// rays decide between all changes.
     std::vector<ParameterInterval> bright_parts(const Segment& segment, std::vector<Change> changes,
                                                 SheetCount sheets, bool is_sound) const;
-    /// Those of a stretch without arcs. Where outer and inner sides are met, they are compared at
-    /// both ends and in the middle, as sheets that pass through one another change their order.
+    /// Bright parts of a stretch without arcs. Where outer and inner sides are met, they are
+    /// compared at both ends and in the middle, as sheets that pass through one another change
+    /// their order.
     std::vector<ParameterInterval> bright_in(const Segment& segment,
                                              const ParameterInterval& stretch,
                                              const SheetCount& sheets, bool is_sound) const;

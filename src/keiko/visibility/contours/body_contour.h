@@ -23,8 +23,8 @@ public:
     /// compared at a few places of their sides.
     bool is_known() const;
     /// Outlines from a point that is not on the surface. Arcs are halved until their error is at
-    /// most `error` times the angle, rad, under which half of the body appears, as far as two
-    /// places of each silhouette tell; after ten halvings it may be larger. What trim curves leave
+    /// most `error` times the angle, rad, under which half of the body appears. Two places of each
+    /// silhouette test that, and after ten halvings it may be larger. What trim curves leave
     /// of a silhouette between its samples, and a border's side that changes twice between two, may
     /// be missed. The point is moved by some 1e-9 of the body's size, so that it lies in no tangent
     /// plane by design.
