@@ -11,25 +11,25 @@ namespace {
 std::size_t cell_along(double at, double begin, double end, std::size_t cells) {
     const double place = (at - begin) / (end - begin) * static_cast<double>(cells);
     if (!(place > 0)) return 0;
-    return std::min(cells - 1, static_cast<std::size_t>(place));
+    return static_cast<std::size_t>(std::min(place, static_cast<double>(cells - 1)));
 }
 
-/// Fills empty cells with what the nearest ones hold, a ring after the other.
+/// Fills empty cells of a square grid, `n` a side, with what one of the nearest filled ones holds.
 void fill_empty(std::vector<std::vector<std::uint32_t>>& cells, std::size_t n) {
-    for (bool empty = true; empty;) {
-        empty = false;
-        const auto before = cells;
-        for (std::size_t i = 0; i < cells.size(); ++i) {
-            if (!before[i].empty()) continue;
-            const std::size_t x = i % n, y = i / n;
-            if (x > 0) cells[i].insert(cells[i].end(), before[i - 1].begin(), before[i - 1].end());
-            if (x + 1 < n)
-                cells[i].insert(cells[i].end(), before[i + 1].begin(), before[i + 1].end());
-            if (y > 0) cells[i].insert(cells[i].end(), before[i - n].begin(), before[i - n].end());
-            if (y + 1 < n)
-                cells[i].insert(cells[i].end(), before[i + n].begin(), before[i + n].end());
-            empty = empty || cells[i].empty();
-        }
+    std::vector<std::size_t> filled;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (!cells[i].empty()) filled.push_back(i);
+    const auto fill = [&](std::size_t from, std::size_t to) {
+        if (!cells[to].empty()) return;
+        cells[to] = cells[from];
+        filled.push_back(to);
+    };
+    for (std::size_t next = 0; next < filled.size(); ++next) { // which grows meanwhile
+        const std::size_t i = filled[next], x = i % n, y = i / n;
+        if (x > 0) fill(i, i - 1);
+        if (x + 1 < n) fill(i, i + 1);
+        if (y > 0) fill(i, i - n);
+        if (y + 1 < n) fill(i, i + n);
     }
 }
 

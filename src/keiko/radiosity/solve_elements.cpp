@@ -50,9 +50,11 @@ public:
         }
         Job unstopped = job; // takes a moment, and makes a solution of what there is
         unstopped.stop = {};
+        std::optional<StopScope::Shared> no_scope(nullptr);
         for (const auto& direct : direct_.by_lamp)
             bounced_.push_back(bounced_light(rows_, areas_, reflectances_, exitance(direct),
                                              spec_.error, unstopped));
+        no_scope.reset();
         RadiositySolution solution = of_elements();
         try {
             gather_at_corners(solution, job);

@@ -282,6 +282,7 @@ TEST(SolveElements, StopsWithAValidPart) {
     job.progress = [&](const Progress& at) {
         if (at.stage == "form factors" && at.fraction > 0.3) stop.request_stop();
     };
+    const StopScope scope(job); // as commands have it
     const RadiositySpec spec{.element = 300};
     const Solved part(room_model(room_size), spec, std::vector<Rgb>(6, Rgb(0.5)),
                       on_inner_side(room_size / 2, 100), level_1, job);
