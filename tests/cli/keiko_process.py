@@ -49,6 +49,11 @@ class KeikoTest(unittest.TestCase):
         self.assertEqual((run.returncode, run.stderr), (0, ""), arguments)
         return run.stdout
 
+    def expect_same_picture_for_any_threads(self, scene: str):
+        for threads in ("1", "2"):
+            self.succeed("render", scene, "-o", f"{threads}.exr", "--threads", threads, "-q")
+        self.assertEqual((self.folder / "1.exr").read_bytes(), (self.folder / "2.exr").read_bytes())
+
     def write(self, name: str, text: str) -> str:
         (self.folder / name).write_text(text)
         return name

@@ -105,13 +105,7 @@ class Volume(KeikoTest):
             self.assertEqual(hits, 3)
 
     def test_pictures_are_the_same_for_any_number_of_threads(self):
-        scene = self.write("scene.toml", SCENE + VOLUME)
-        pictures = []
-        for threads in ("1", "2"):
-            run = self.keiko("render", scene, "-o", f"{threads}.exr", "--threads", threads, "-q")
-            self.assertEqual((run.returncode, run.stderr), (0, ""))
-            pictures.append((self.folder / f"{threads}.exr").read_bytes())
-        self.assertEqual(*pictures)
+        self.expect_same_picture_for_any_threads(self.write("scene.toml", SCENE + VOLUME))
 
     def test_what_cannot_be_is_told_in_a_line(self):
         self.assertRegex(self.refused(SCENE + VOLUME.replace("step", "stop")),

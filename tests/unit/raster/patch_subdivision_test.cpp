@@ -1,28 +1,16 @@
 #include "keiko/raster/patch_subdivision.h"
 
-#include "keiko/intersect/traversal/tracer.h"
-
 #include "tests/support/analytic_models.h"
 #include "tests/support/hand_mesh.h"
 #include "tests/support/picture_interior.h"
 #include "tests/support/shapes.h"
+#include "tests/support/traced_faces.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 namespace keiko {
 namespace {
-
-/// The face of each pixel's first hit.
-ItemBuffer traced_faces(const SurfaceModel& model, const Camera& camera) {
-    const Tracer tracer(model);
-    ItemBuffer seen(camera.width, camera.height);
-    for (int y = 0; y < camera.height; ++y)
-        for (int x = 0; x < camera.width; ++x)
-            if (const auto hit = tracer.nearest(camera.ray(x + 0.5, y + 0.5)))
-                seen.shown[seen.index(x, y)] = hit->face;
-    return seen;
-}
 
 int shown_faces(const ItemBuffer& buffer) {
     return static_cast<int>(std::count_if(buffer.shown.begin(), buffer.shown.end(),
@@ -38,7 +26,7 @@ TEST(PatchSubdivision, ShowsTheFacesOfTheTracerButAtEdges) {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         Camera camera = test::camera_on_x(200, 90, 70, projection);
         camera.eye = Vec3(40, 30, 200);
-        const ItemBuffer truth = traced_faces(shape.model(), camera);
+        const ItemBuffer truth = test::traced_faces(shape.model(), camera);
         const ItemBuffer seen = subdivided_faces(shape.model(), camera);
         EXPECT_EQ(test::wrong_inside(truth, seen), 0);
         EXPECT_NEAR(shown_faces(seen), shown_faces(truth), 0.08 * shown_faces(truth));
@@ -51,7 +39,7 @@ TEST(PatchSubdivision, ShowsWhatReachesBehindTheEye) {
     test::ShapeBuilder shape;
     shape.face({test::rectangle(-500, 500, -500, 500, -10)});
     const Camera camera = test::camera_on_x(100, 64, 64);
-    EXPECT_EQ(test::wrong_inside(traced_faces(shape.model(), camera),
+    EXPECT_EQ(test::wrong_inside(test::traced_faces(shape.model(), camera),
                                  subdivided_faces(shape.model(), camera)),
               0);
 }

@@ -1,5 +1,4 @@
 #include "keiko/geometry/model/patch_grid.h"
-#include "keiko/intersect/traversal/tracer.h"
 #include "keiko/raster/mesh_view.h"
 #include "keiko/raster/patch_subdivision.h"
 #include "keiko/raster/span_mesh.h"
@@ -7,6 +6,7 @@
 #include "tests/support/hand_mesh.h"
 #include "tests/support/picture_interior.h"
 #include "tests/support/shapes.h"
+#include "tests/support/traced_faces.h"
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -53,16 +53,6 @@ SurfaceMesh mesh_of(const SurfaceModel& model) {
     return mesh;
 }
 
-ItemBuffer traced_faces(const SurfaceModel& model, const Camera& camera) {
-    const Tracer tracer(model);
-    ItemBuffer seen(camera.width, camera.height);
-    for (int y = 0; y < camera.height; ++y)
-        for (int x = 0; x < camera.width; ++x)
-            if (const auto hit = tracer.nearest(camera.ray(x + 0.5, y + 0.5)))
-                seen.shown[seen.index(x, y)] = hit->face;
-    return seen;
-}
-
 ItemBuffer faces_of(const MeshView& view) {
     ItemBuffer faces(view.items().width, view.items().height);
     for (std::size_t i = 0; i < faces.shown.size(); ++i)
@@ -93,7 +83,7 @@ TEST(VisibleFaces, AreThoseOfTheTracerByEveryAlgorithm) {
     for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
         Camera camera = test::camera_on_x(100, 120, 90, projection);
         camera.eye = Vec3(100, 15, 30);
-        const ItemBuffer truth = traced_faces(model, camera);
+        const ItemBuffer truth = test::traced_faces(model, camera);
         for (const std::uint32_t face : {0U, 1U, 2U})
             EXPECT_GT(std::count(truth.shown.begin(), truth.shown.end(), face), 300) << face;
         for (const HiddenSurfaces by : every_algorithm) {
