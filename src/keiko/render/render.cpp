@@ -48,9 +48,11 @@ struct LitTogether {
 };
 
 /// The places to be lit in a tile, by branch.
-std::map<std::uint64_t, LitTogether> lit_places(int width, const std::vector<bool>& in_parts,
-                                                SampleBatch& view, RefinedPixels& refined) {
-    std::map<std::uint64_t, LitTogether> all;
+using LitBranches = std::map<std::uint64_t, LitTogether>;
+
+LitBranches lit_places(int width, const std::vector<bool>& in_parts, SampleBatch& view,
+                       RefinedPixels& refined) {
+    LitBranches all;
     for (ShadingPoint& point : view.points) {
         if (in_parts[point.sample]) continue;
         const auto number = static_cast<int>(point.sample);
@@ -76,17 +78,21 @@ std::map<std::uint64_t, LitTogether> lit_places(int width, const std::vector<boo
     return all;
 }
 
-/// Adds the smooth lights of a tile to the known light of its shading points; see fitted_light().
-void find_smooth_light(const Integrator& integrator, int width, double error,
-                       const std::vector<bool>& in_parts, SampleBatch& view,
-                       RefinedPixels& refined) {
-    const std::vector<LightId> lights = integrator.smooth_lights();
-    if (lights.empty()) return;
-    for (const auto& [branch, lit] : lit_places(width, in_parts, view, refined)) {
+/// Adds the smooth lights to the known light of shading points; see fitted_light().
+void find_smooth_light(const Integrator& integrator, double error, const LitBranches& all) {
+    const std::vector<LightId>& lights = integrator.smooth_lights();
+    for (const auto& [branch, lit] : all) {
         const std::vector<DirectLight> light = fitted_light(integrator, lights, lit.places, error);
         for (std::size_t i = 0; i < light.size(); ++i)
             for (const auto& [point, sample] : lit.takers[i]) point->known += light[i];
     }
+}
+
+/// Adds the known light of shading points to their samples.
+void add_known_light(const Integrator& integrator, const LitBranches& all) {
+    for (const auto& [branch, lit] : all)
+        for (const auto& takers : lit.takers)
+            for (const auto& [point, sample] : takers) integrator.add_light(*point, {}, *sample);
 }
 
 /// Adds the light of all shading points of a tile, `width` pixels in a row, to their samples: of
@@ -97,7 +103,12 @@ void add_tile_light(const Integrator& integrator, int width, double error, Sampl
                     RefinedPixels& refined) {
     std::vector<bool> in_parts(view.samples.size());
     for (const Subpixel& part : refined.parts) in_parts[part.pixel] = true;
-    find_smooth_light(integrator, width, error, in_parts, view, refined);
+    const bool all_smooth = integrator.interpolated_lights().empty();
+    if (all_smooth || !integrator.smooth_lights().empty()) {
+        const LitBranches lit = lit_places(width, in_parts, view, refined);
+        find_smooth_light(integrator, error, lit);
+        if (all_smooth) return add_known_light(integrator, lit);
+    }
     add_shared_light(integrator, width, error, refined);
     add_interpolated_light(integrator, width, in_parts, error, view);
 }

@@ -26,17 +26,6 @@ WidthOptions width_accuracy(bool in_picture) {
     return {width_tolerance_in_pictures, widest_spacing_in_pictures, false};
 }
 
-/// In pictures outlines between lines are not searched for: a quarter of the sky has all of a
-/// body's.
-/// `share`: of the panel's light in that of the whole sky.
-WidthOptions sky_accuracy(double share, bool in_picture) {
-    WidthOptions options = width_accuracy(in_picture);
-    if (in_picture)
-        options.tolerance = std::min(sky_tolerance_in_pictures / share, panel_tolerance);
-    options.tapers = in_picture;
-    return options;
-}
-
 class Looker {
 public:
     Looker(std::span<const int> asked, const Vec3& point, const Vec3& normal,
@@ -88,11 +77,9 @@ public:
         seen.reserve(asked_.size());
         for (const int number : asked_) {
             const auto panel = sky_panel(sky, number, point_);
-            seen.push_back(share_seen(
-                panel ? visible_share(
-                            sky, *panel, point_, normal_, visible_,
-                            sky_accuracy(panel_share(sky, *panel, point_, normal_), in_picture()))
-                      : 0));
+            seen.push_back(share_seen(panel ? visible_share(sky, *panel, point_, normal_, visible_,
+                                                            sky_accuracy(sky, *panel))
+                                            : 0));
         }
         return seen;
     }
@@ -104,6 +91,16 @@ public:
     }
 
 private:
+    /// In pictures outlines between lines are not searched for: a quarter of the sky has all of a
+    /// body's.
+    WidthOptions sky_accuracy(const SkyLight& sky, const SkyPanel& panel) const {
+        WidthOptions options = width_accuracy(in_picture());
+        if (!in_picture()) return options;
+        const double share = panel_share(sky, panel, point_, normal_);
+        options.tolerance = std::min(sky_tolerance_in_pictures / share, panel_tolerance);
+        options.tapers = true;
+        return options;
+    }
     static LightVisibility share_seen(double share) {
         return {share > 0 ? IntervalSet::whole() : IntervalSet(), share};
     }

@@ -79,8 +79,7 @@ double panel_share(const SkyLight& sky, const SkyPanel& panel, const Vec3& point
                    const Vec3& normal) {
     const double above = max_channel(sky.luminance), below = max_channel(sky.ground);
     const double all = pi / 2 * (above * (1 + normal.z) + below * (1 - normal.z));
-    const bool even = SkyDistribution(sky).is_linear();
-    if (!even || !sky.windows.empty() || !(all > 0)) return 0.25;
+    if (sky.model == SkyModel::clear || !sky.windows.empty() || !(all > 0)) return 0.25;
     return (panel.ground ? below : above) *
            projected_solid_angle(panel.outline.corners, point, normal) / all;
 }

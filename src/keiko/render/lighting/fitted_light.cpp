@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -52,6 +53,7 @@ public:
           places_(places),
           error_(error),
           light_(places.size()),
+          budgets_(places.size()),
           is_lit_(places.size()) {}
 
     std::vector<DirectLight> light() {
@@ -137,12 +139,15 @@ private:
         for (const std::size_t place : region) lit.push_back(is_lit_[place]);
         return lit;
     }
-    ErrorBudget budget_at(std::size_t place) const {
+    /// Error allowed in the light of a lit place.
+    const ErrorBudget& budget_at(std::size_t place) {
+        std::optional<ErrorBudget>& budget = budgets_[place];
+        if (budget) return *budget;
         const LitPlace& at = places_[place];
         DirectLight besides;
         if (outdoors_)
             besides = integrator_.unoccluded_light(*at.point, lights_) * (of_open_sky * error_);
-        return {integrator_, *at.point, at.seen, light_[place], error_, besides};
+        return budget.emplace(integrator_, *at.point, at.seen, light_[place], error_, besides);
     }
     /// The smallest share of the light that any of them allows.
     static double least_share(const std::vector<ErrorBudget>& budgets) {
@@ -187,8 +192,9 @@ private:
     std::span<const LitPlace> places_;
     double error_;
     std::vector<DirectLight> light_;
-    std::vector<bool> beside_others_; ///< below a sky
-    std::vector<bool> is_lit_;        ///< whether it is computed
+    std::vector<std::optional<ErrorBudget>> budgets_; ///< as far as they were needed
+    std::vector<bool> beside_others_;                 ///< below a sky
+    std::vector<bool> is_lit_;                        ///< whether it is computed
 };
 
 } // namespace

@@ -34,8 +34,7 @@ public:
     /// The light of each place that is not skipped, by its index.
     std::vector<DirectLight> light() {
         const Rectangle all{0, 0, grid_.width() - 1, grid_.height() - 1};
-        const auto numbers = lights_.numbers();
-        const Lights each(numbers.begin(), numbers.end());
+        const Lights& each = integrator_.interpolated_lights();
         light(all, {}, {each, each}, 1);
         return std::move(light_);
     }

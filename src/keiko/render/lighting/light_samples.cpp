@@ -7,10 +7,7 @@
 namespace keiko {
 
 LightSamples::LightSamples(const Integrator& integrator, const ShadingGrid& grid)
-    : integrator_(integrator), grid_(grid), spots_(grid.size(), &memory_) {
-    for (std::size_t i = 0; i < integrator.lights().size(); ++i)
-        if (!integrator.is_smooth(integrator.lights()[i])) numbers_.push_back(i);
-}
+    : integrator_(integrator), grid_(grid), spots_(grid.size(), &memory_) {}
 
 LightSamples::Spot& LightSamples::point(int x, int y) {
     Spot& point = spots_[grid_.index(x, y)];

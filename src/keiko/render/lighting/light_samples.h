@@ -19,8 +19,6 @@ public:
     /// Keeps references to both.
     LightSamples(const Integrator& integrator, const ShadingGrid& grid);
 
-    /// Numbers of all lights, except smooth ones, which are fitted.
-    std::span<const std::size_t> numbers() const { return numbers_; }
     /// Computes the light of some lights at a place from their known visibility there, certain or
     /// not; if it is unknown, it is computed.
     void find(int x, int y, std::span<const std::size_t> lights);
@@ -65,7 +63,6 @@ private:
 
     const Integrator& integrator_;
     const ShadingGrid& grid_;
-    std::vector<std::size_t> numbers_;
     std::pmr::monotonic_buffer_resource memory_; ///< of the shading points
     std::pmr::vector<Spot> spots_;
     Lights asked_;                     ///< requested

@@ -63,6 +63,7 @@ struct ShadingPoint {
     Vec3 along{0};        ///< of the scratches of a brushed paint, of any length
     /// Light that is found already: of caustics, and what is fitted over a tile.
     DirectLight known{};
+    Rgb ambient{}; ///< lx from other surfaces, or of the rig's ambient light
     /// Its own paint and whether its light may be interpolated; of places with maps alone.
     std::shared_ptr<const MappedPaint> mapped{};
 };

@@ -26,8 +26,13 @@ bool passes_alone(std::uint64_t branch) {
     return std::has_single_bit(branch + 2);
 }
 
-double doubled_azimuth(const ShadingPoint& point) {
-    return doubled_azimuth_cosine(point.place.normal, point.eye, point.along);
+/// True if no lamp's light has an edge on a smooth surface.
+bool lamps_are_smooth(const PictureScene& scene) {
+    const auto is_row = [](const LightSource& source) {
+        return std::holds_alternative<CPlane>(source);
+    };
+    return !scene.occluders && !scene.rig.medium &&
+           std::all_of(scene.rig.sources.begin(), scene.rig.sources.end(), is_row);
 }
 
 /// Share of light that a way inside glass leaves.
@@ -67,6 +72,12 @@ Integrator::Integrator(const PictureScene& scene, const PictureOptions& options,
         mirrors_alone_ = mirrors_alone_ && !paints_.back().takes_light() && !material.glass &&
                          material.maps.empty();
     }
+    const bool smooth = lamps_are_smooth(scene);
+    for (std::size_t i = 0; i < lights().size(); ++i)
+        if (smooth || is_open_sky(lights()[i]))
+            smooth_lights_.push_back(lights()[i]);
+        else
+            interpolated_lights_.push_back(i);
     if (scene.caustics)
         caustics_.emplace(scene.tracer, scene.materials, rig_, *scene.caustics, job);
     if (scene.volumes) volumes_.emplace(*scene.volumes, scene.rig, stops_of_light(), job);
@@ -116,7 +127,9 @@ Integrator::Onward Integrator::shade(PathState path, const PathVertex& met,
         view.points.back().mapped = mapped;
         if (caustics_) view.points.back().known = caustic_light(view.points.back(), met);
         sample.lit = true;
-        sample.luminance += path.weight * ambient_luminance(view.points.back());
+        ShadingPoint& point = view.points.back();
+        point.ambient = ambient_illuminance(point);
+        sample.luminance += path.weight * ambient_luminance(point, point.ambient);
     }
     if (path.branch == 0) sample.cosine = met.incidence.cosine;
     return onward(path, met, mapped.get());
@@ -298,153 +311,6 @@ void Integrator::pass_medium(PathState& path, const PathVertex& met, const Visib
     sample.luminance += path.weight * luminance_along(scene_.rig, leg, Rgb(0), shafts,
                                                       picture_scattering_tolerance);
     path.weight *= transmittance(*scene_.rig.medium, leg);
-}
-
-bool Integrator::lamps_are_smooth() const {
-    const auto is_row = [](const LightSource& source) {
-        return std::holds_alternative<CPlane>(source);
-    };
-    const LightRig& rig = scene_.rig;
-    return !scene_.occluders && !rig.medium &&
-           std::all_of(rig.sources.begin(), rig.sources.end(), is_row);
-}
-
-std::vector<LightId> Integrator::smooth_lights() const {
-    std::vector<LightId> smooth;
-    for (const LightId& light : lights())
-        if (is_smooth(light)) smooth.push_back(light);
-    return smooth;
-}
-
-std::vector<LightVisibility> Integrator::light_visibility(const ShadingPoint& point,
-                                                          std::span<const LightId> lights) const {
-    return lights_.light_visibility(point.place.position, point.place.normal, point.root, lights,
-                                    tubes_);
-}
-
-std::vector<DirectLight> Integrator::direct_light(const ShadingPoint& point,
-                                                  std::span<const LightId> lights,
-                                                  std::vector<LightVisibility> seen) const {
-    // Of the material, so that light between places with dark spots of a map is theirs too.
-    const Paint& paint = paints_[point.place.paint];
-    const Vec3& normal = point.place.normal;
-    const PointLighting lit(rig_, point.place.position, normal, tubes_, lights, std::move(seen));
-    std::vector<DirectLight> brought(lights.size());
-    const std::vector<Rgb> left = left_on_the_way(point, lights);
-    const auto each = [&](const std::vector<Rgb>& values, const auto& add) {
-        for (std::size_t i = 0; i < values.size(); ++i)
-            add(brought[i], left.empty() ? values[i] : values[i] * left[i]);
-    };
-    const ClearCoat* coat = paint.base().passes_all() ? nullptr : &paint.base();
-    const bool scatters = paint.base().inner_reflectance(normal.dot(point.eye)) != Rgb(0);
-    if (scatters)
-        each(lit.illuminance_by_light(coat),
-             [](DirectLight& light, const Rgb& lx) { light.illuminance = lx; });
-    if (point.branch == 0 && tells_illuminance_) {
-        if (!scatters || coat)
-            each(lit.illuminance_by_light(),
-                 [](DirectLight& light, const Rgb& lx) { light.incident = keiko::luminance(lx); });
-        else
-            for (DirectLight& light : brought) light.incident = keiko::luminance(light.illuminance);
-    }
-    const auto add_lobe = [&](const auto& kernel, const Rgb& share) {
-        each(lit.glossy_by_light(kernel, lights_, point.root),
-             [&](DirectLight& light, const Rgb& sent) { light.lobes += sent * share; });
-    };
-    if (const auto& gloss = paint_of(point).gloss())
-        add_lobe(GlossKernel(*gloss, normal, point.eye, point.along),
-                 paint_of(point).gloss_share());
-    if (paint.flakes()) add_lobe(FlakeKernel(*paint.flakes(), normal, point.eye), Rgb(1));
-    return brought;
-}
-
-std::vector<Rgb> Integrator::left_on_the_way(const ShadingPoint& point,
-                                             std::span<const LightId> lights) const {
-    if (!dims_light()) return {};
-    std::vector<Rgb> left(lights.size(), Rgb(1));
-    const Vec3& place = point.place.position;
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-        const auto& [source, lamp] = lights[i];
-        if (glass_dims()) left[i] = glass_.left(rig_.sources[source], lamp, place, point.root);
-        if (matter_dims()) left[i] *= matter_.left(rig_.sources[source], lamp, place);
-    }
-    return left;
-}
-
-namespace {
-
-DirectLight sum_of(std::span<const DirectLight> lights) {
-    DirectLight sum;
-    for (const DirectLight& light : lights) sum += light;
-    return sum;
-}
-
-} // namespace
-
-DirectLight Integrator::direct_light(const ShadingPoint& point,
-                                     std::span<const LightId> lights) const {
-    return sum_of(direct_light(point, lights, light_visibility(point, lights)));
-}
-
-DirectLight Integrator::unoccluded_light(const ShadingPoint& point,
-                                         std::span<const LightId> lights) const {
-    const LightVisibility whole{IntervalSet::whole()};
-    return sum_of(direct_light(point, lights, std::vector(lights.size(), whole)));
-}
-
-Rgb Integrator::luminance(const ShadingPoint& point, const DirectLight& light) const {
-    const Paint& paint = paint_of(point);
-    const double cosine = point.place.normal.dot(point.eye);
-    const Rgb base = paint.base().inner_reflectance(cosine) *
-                     paint.passed_by_brushed(cosine, doubled_azimuth(point));
-    return lambert_luminance(base, light.illuminance) + light.lobes;
-}
-
-Rgb Integrator::luminance(const ShadingPoint& point, const Ray& mirrored) const {
-    const Paint& paint = paint_of(point);
-    const Rgb share = paint.mirrored(point.place.normal.dot(point.eye));
-    Rgb sum;
-    if (share != Rgb(0)) sum += share * follow_mirrored(Rays{mirrored}).samples.front().luminance;
-    if (paint.takes_light())
-        sum += ambient_luminance(point) + luminance(point, direct_light(point));
-    return sum;
-}
-
-void Integrator::add_light(const ShadingPoint& point, const DirectLight& light,
-                           PixelSample& sample) const {
-    const DirectLight all = light + point.known;
-    sample.luminance += point.weight * luminance(point, all);
-    if (point.branch != 0) return;
-    sample.illuminance = all.incident;
-    if (tells_illuminance_ && scene_.reflected)
-        sample.illuminance += keiko::luminance(ambient_illuminance(point));
-}
-
-Rgb Integrator::ambient_illuminance(const ShadingPoint& point) const {
-    if (!scene_.reflected) return scene_.rig.ambient;
-    const Vec3& normal = point.place.normal;
-    const LightPoint place{point.place.position, normal, point.root};
-    if (options_.gather_rays > 0) return scene_.reflected->gathered(place, options_.gather_rays);
-    constexpr int rays_without_elements = 256;
-    const auto light = scene_.reflected->on_surface(point.root, normal);
-    return light ? *light : scene_.reflected->gathered(place, rays_without_elements);
-}
-
-Rgb Integrator::ambient_luminance(const ShadingPoint& point) const {
-    const bool is_surrounded = environment() && environment()->spec().lights;
-    const Rgb ambient = ambient_illuminance(point);
-    if (ambient == Rgb(0) && !is_surrounded) return {};
-    const Paint& paint = paint_of(point);
-    const double cosine = point.place.normal.dot(point.eye), doubled = doubled_azimuth(point);
-    const Rgb base =
-        paint.base().base_reflectance_diffuse(cosine) * paint.passed_by_brushed(cosine, doubled);
-    const Rgb lobes = paint.gloss_albedo(cosine, doubled);
-    Rgb sum = even_luminance(ambient) * (is_surrounded ? base : base + lobes);
-    if (!is_surrounded) return sum;
-    sum += even_luminance(environment()->irradiance(point.place.normal)) * base;
-    if (lobes == Rgb(0)) return sum;
-    const Vec3 mirrored = reflect(-point.eye, point.place.normal);
-    return sum + environment()->blurred(mirrored, paint.lobe_width()) * lobes;
 }
 
 } // namespace keiko

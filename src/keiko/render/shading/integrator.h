@@ -61,12 +61,12 @@ public:
     DirectLight unoccluded_light(const ShadingPoint& point, std::span<const LightId> lights) const;
     /// All lights, in the order in which they are queried.
     const std::vector<LightId>& lights() const { return lights_.lights(); }
-    /// True if the light of one of them is fitted over smooth surfaces. That of an open sky is,
-    /// whose shadows have wide edges, and all is where all are rows of tubes, nothing casts
-    /// shadows, and there is no medium.
-    bool is_smooth(const LightId& light) const { return lamps_are_smooth() || is_open_sky(light); }
-    /// Lights for which is_smooth().
-    std::vector<LightId> smooth_lights() const;
+    /// Lights that are fitted over smooth surfaces. Those of an open sky are, whose shadows have
+    /// wide edges, and all are where all are rows of tubes, nothing casts shadows, and there is no
+    /// medium.
+    const std::vector<LightId>& smooth_lights() const { return smooth_lights_; }
+    /// The others, which are interpolated between pixels: numbers in lights(), rising.
+    const std::vector<std::size_t>& interpolated_lights() const { return interpolated_lights_; }
     /// See keiko::is_open_sky().
     bool is_open_sky(const LightId& light) const {
         return keiko::is_open_sky(rig_.sources[light.source]);
@@ -92,9 +92,6 @@ public:
     const std::optional<double>& white() const { return options_.white; }
     /// cd/m2 that a shading point's base and lobes reflect of the lamps' light to the viewer.
     Rgb luminance(const ShadingPoint& point, const DirectLight& light) const;
-    /// cd/m2 that a shading point's base and lobes reflect of uniform light from all sides and of
-    /// the surroundings to the viewer.
-    Rgb ambient_luminance(const ShadingPoint& point) const;
     /// Number of a face's paint, for SurfacePlace::paint.
     std::uint32_t paint_number(std::size_t face) const { return paint_of_face_[face]; }
     /// cd/m2 of a shading point that is no hit of the scene: of a mesh, say. It is the light of
@@ -105,9 +102,11 @@ public:
     void add_light(const ShadingPoint& point, const DirectLight& light, PixelSample& sample) const;
 
 private:
-    bool lamps_are_smooth() const;
     /// lx on a shading point from surfaces, or else the rig's ambient light.
     Rgb ambient_illuminance(const ShadingPoint& point) const;
+    /// cd/m2 that a shading point's base and lobes reflect of `ambient` lx from all sides and of
+    /// the surroundings to the viewer.
+    Rgb ambient_luminance(const ShadingPoint& point, const Rgb& ambient) const;
 
     /// Sample that the light of a ray goes to, its weight there, and the way of the ray.
     struct PathState {
@@ -298,6 +297,8 @@ private:
     bool mirrors_alone_ = true; ///< no paint takes light, and there is no glass
     std::vector<Paint> paints_;
     std::vector<std::uint32_t> paint_of_face_;
+    std::vector<LightId> smooth_lights_;
+    std::vector<std::size_t> interpolated_lights_;
     std::vector<std::optional<EpipolarShadows>> pencils_; ///< of camera rays
 };
 
